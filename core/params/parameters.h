@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+
+#include "core/params/parameter.h"
+#include "core/types/angle.h"
+
+namespace planewright {
+
+/// Noise of the scanner and of its pitch angle, Eq. (15).
+struct NoiseParameters {
+    double rangeConstant = 0.008;
+    double rangeProportional = 0.001;
+    double bearing = degrees(0.02);
+    double pitch = degrees(0.084);
+
+    /// Variance σ_ρ² of a range [m²]: the squares of the constant and of the proportional part.
+    double rangeVariance(double range) const
+    {
+        const double proportional = rangeProportional * range;
+        return rangeConstant * rangeConstant + proportional * proportional;
+    }
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{"noise.range-constant", &NoiseParameters::rangeConstant, Unit::Metre, Range{0.0, 1.0},
+                      "sigma_rho,0", "Standard deviation of a range at distance zero."},
+            Parameter{"noise.range-proportional", &NoiseParameters::rangeProportional, Unit::None, Range{0.0, 0.1},
+                      "sigma_rho,1",
+                      "What distance adds to the range's standard deviation, per metre (root of the sum of squares)."},
+            Parameter{"noise.bearing", &NoiseParameters::bearing, Unit::Angle, Range{0.0, degrees(5.0)}, "sigma_theta",
+                      "Standard deviation of a beam's bearing."},
+            Parameter{"noise.pitch", &NoiseParameters::pitch, Unit::Angle, Range{0.0, degrees(5.0)}, "sigma_phi",
+                      "Standard deviation of the measured pitch of a slice."},
+        };
+    }
+};
+
+/// Tolerances of line-segment extraction (section 4.1).
+struct SegmentParameters {
+    double incidenceLimit = degrees(10.0);
+    double breakpointSigmas = 3.0;
+    double splitDistance = 0.03;
+    double splitSigmas = 5.0;
+    double mergeAngle = degrees(2.0);
+    double mergeAngleSigmas = 3.0;
+    double mergeGap = 0.25;
+    double mergeGapSteps = 5.0;
+    double minLength = 0.2;
+    int minPoints = 7;
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{"segments.incidence-limit", &SegmentParameters::incidenceLimit, Unit::Angle,
+                      Range{degrees(1.0), degrees(45.0)}, "lambda_u",
+                      "Shallowest incidence at which two neighbouring points count as one surface, Eq. (3)."},
+            Parameter{"segments.breakpoint-sigmas", &SegmentParameters::breakpointSigmas, Unit::None, Range{0.0, 20.0},
+                      "3 sigma_d",
+                      "Allowance for range noise in the breakpoint distance, in standard deviations, Eq. (3)."},
+            Parameter{"segments.split-distance", &SegmentParameters::splitDistance, Unit::Metre, Range{0.0, 0.5}, "h_o",
+                      "A run is split where a point lies farther than this from its chord."},
+            Parameter{
+                "segments.split-sigmas", &SegmentParameters::splitSigmas, Unit::None, Range{0.0, 20.0}, "h_o",
+                "The split distance is never less than this many standard deviations of the point across the chord."},
+            Parameter{"segments.merge-angle", &SegmentParameters::mergeAngle, Unit::Angle, Range{0.0, degrees(45.0)},
+                      "alpha_o", "Neighbouring pieces whose lines differ by less than this are merged, Eq. (4)."},
+            Parameter{"segments.merge-angle-sigmas", &SegmentParameters::mergeAngleSigmas, Unit::None, Range{0.0, 20.0},
+                      "alpha_o", "The merge angle is never less than this many standard deviations of the difference."},
+            Parameter{"segments.merge-gap", &SegmentParameters::mergeGap, Unit::Metre, Range{0.0, 5.0}, "d_o",
+                      "Largest gap between the end points of two pieces to be merged, Eq. (4)."},
+            Parameter{"segments.merge-gap-steps", &SegmentParameters::mergeGapSteps, Unit::None, Range{0.0, 100.0},
+                      "d_o", "The merge gap is never less than this many distances between beams at that range."},
+            Parameter{"segments.min-length", &SegmentParameters::minLength, Unit::Metre, Range{0.0, 10.0}, "L_min",
+                      "Shorter segments are removed, Eq. (5)."},
+            Parameter{"segments.min-points", &SegmentParameters::minPoints, Unit::Count, Range{2.0, 1000.0}, "N_e",
+                      "Segments of fewer scan points are removed, Eq. (5)."},
+        };
+    }
+};
+
+/// When a segment joins a plane (section 4.1.4).
+struct AssignmentParameters {
+    double planeDistance = 0.03;
+    double orthogonality = degrees(5.0);
+    double orthogonalitySigmas = 3.0;
+    int refitEvery = 10;
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{"assignment.plane-distance", &AssignmentParameters::planeDistance, Unit::Metre, Range{0.001, 1.0},
+                      "D_m", "A segment joins a plane when its farther end point is nearer than this, Eq. (8)."},
+            Parameter{"assignment.orthogonality", &AssignmentParameters::orthogonality, Unit::Angle,
+                      Range{0.0, degrees(45.0)}, "epsilon_o",
+                      "Largest angle between a segment and a plane that it joins, Eq. (8)."},
+            Parameter{"assignment.orthogonality-sigmas", &AssignmentParameters::orthogonalitySigmas, Unit::None,
+                      Range{0.0, 20.0}, "epsilon_o",
+                      "The angle allowed is never less than this many standard deviations of the segment's direction."},
+            Parameter{"assignment.refit-every", &AssignmentParameters::refitEvery, Unit::Count, Range{1.0, 10000.0}, "",
+                      "A plane is fitted anew after this many added segments."},
+        };
+    }
+};
+
+/// How a cluster's direction follows its segments (section 4.2).
+enum class MovingAverage { Simple, LinearlyWeighted, ExponentiallyWeighted };
+template <>
+struct ChoiceNames<MovingAverage> {
+    static constexpr std::array<std::string_view, 3> names{"sma", "lwma", "ewma"};
+};
+
+/// Grouping of unassigned segments by direction (section 4.2).
+struct ClusterParameters {
+    MovingAverage average = MovingAverage::ExponentiallyWeighted;
+    double directionLimit = degrees(10.0);
+    double decay = 0.5;
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{
+                "clusters.average", &ClusterParameters::average, Unit::Choice, Range{0.0, 2.0}, "",
+                "Moving average of a cluster's direction: simple (10), linearly (11) or exponentially weighted (12)."},
+            Parameter{"clusters.direction-limit", &ClusterParameters::directionLimit, Unit::Angle,
+                      Range{degrees(0.1), degrees(90.0)}, "delta_c",
+                      "Largest angle between a segment and the cluster that it joins, Eq. (9)."},
+            Parameter{"clusters.decay", &ClusterParameters::decay, Unit::None, Range{0.0, 1.0}, "tau",
+                      "Weight of the newest segment in the exponentially weighted average, Eq. (12)."},
+        };
+    }
+};
+
+/// The distance that plane fitting minimises and the split test reads.
+enum class PlaneCost { MaximumLikelihood, Foot };
+template <>
+struct ChoiceNames<PlaneCost> {
+    static constexpr std::array<std::string_view, 2> names{"ml", "foot"};
+};
+
+/// Fitting, splitting and merging of planes (sections 4.3 and 4.4).
+struct PlaneParameters {
+    PlaneCost cost = PlaneCost::MaximumLikelihood;
+    double flatness = 0.005;
+    int minClusterSegments = 5;
+    int minClusterSlices = 4;
+    double inlierDistance = 0.03;
+    double errorLimit = 4.0;
+    double refineTolerance = 1e-6;
+    int refineIterations = 10;
+    int minSegments = 4;
+    int minSlices = 3;
+    int minPoints = 60;
+    double minExtent = 0.3;
+    double mergeAngle = degrees(5.0);
+    double mergeDistance = 0.025;
+    double mergeGap = 0.5;
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{"planes.cost", &PlaneParameters::cost, Unit::Choice, Range{0.0, 1.0}, "E",
+                      "Squared distance of an end point: ml is (n.p - d)^2/(n'Cn), foot is the printed Eq. (16)."},
+            Parameter{"planes.flatness", &PlaneParameters::flatness, Unit::Metre, Range{0.0, 0.5}, "",
+                      "How far real walls stray from a plane, as a standard deviation added to the noise."},
+            Parameter{"planes.min-cluster-segments", &PlaneParameters::minClusterSegments, Unit::Count,
+                      Range{3.0, 10000.0}, "N_c", "A cluster is searched for planes from this many segments on."},
+            Parameter{"planes.min-cluster-slices", &PlaneParameters::minClusterSlices, Unit::Count, Range{2.0, 10000.0},
+                      "N_c", "A cluster is searched for planes when its segments come from this many slices."},
+            Parameter{"planes.inlier-distance", &PlaneParameters::inlierDistance, Unit::Metre, Range{0.0001, 1.0}, "T",
+                      "End points farther than this from a hypothesis do not support it, Eq. (14)."},
+            Parameter{"planes.error-limit", &PlaneParameters::errorLimit, Unit::None, Range{0.1, 1000.0}, "e_f",
+                      "A plane with a larger fitting error is not made, and is split if it grew to it."},
+            Parameter{"planes.refine-tolerance", &PlaneParameters::refineTolerance, Unit::None, Range{1e-15, 0.1},
+                      "epsilon_min", "Refinement ends when the error falls by less than this fraction, Table VI."},
+            Parameter{"planes.refine-iterations", &PlaneParameters::refineIterations, Unit::Count, Range{1.0, 1000.0},
+                      "i_max", "Most iterations of a refinement, Table VI."},
+            Parameter{"planes.min-segments", &PlaneParameters::minSegments, Unit::Count, Range{2.0, 10000.0}, "",
+                      "Fewest line segments that make a plane."},
+            Parameter{"planes.min-slices", &PlaneParameters::minSlices, Unit::Count, Range{2.0, 10000.0}, "",
+                      "Fewest slices that these segments come from."},
+            Parameter{"planes.min-points", &PlaneParameters::minPoints, Unit::Count, Range{4.0, 1000000.0}, "",
+                      "Fewest scan points of these segments."},
+            Parameter{"planes.min-extent", &PlaneParameters::minExtent, Unit::Metre, Range{0.0, 100.0}, "",
+                      "Shorter extent that a plane must have at least."},
+            Parameter{"planes.merge-angle", &PlaneParameters::mergeAngle, Unit::Angle, Range{0.0, degrees(45.0)},
+                      "nu_o", "Largest angle between two planes to be merged, Eq. (21)."},
+            Parameter{"planes.merge-distance", &PlaneParameters::mergeDistance, Unit::Metre, Range{0.0, 1.0},
+                      "delta_Pi", "Largest distance between two planes to be merged, Eq. (22)."},
+            Parameter{"planes.merge-gap", &PlaneParameters::mergeGap, Unit::Metre, Range{0.0, 1000.0}, "",
+                      "Largest gap, measured in the planes, between two planes to be merged."},
+        };
+    }
+};
+
+/// When the phases of Table I run; step counts from 0.
+struct ScheduleParameters {
+    int fitEvery = 5;
+    int splitAndMergeEvery = 7;
+    int remainingEvery = 5;
+
+    bool fitsPlanesAt(int step) const { return (step + 1) % fitEvery == 0; }
+    bool splitsAndMergesAt(int step) const { return (step + 1) % splitAndMergeEvery == 0; }
+    bool fitsRemainingAt(int step) const { return (step + 1) % remainingEvery == 0; }
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{"schedule.fit-every", &ScheduleParameters::fitEvery, Unit::Count, Range{1.0, 65536.0}, "",
+                      "Planes are fitted to the clusters every this many steps, Table I line 8."},
+            Parameter{"schedule.split-merge-every", &ScheduleParameters::splitAndMergeEvery, Unit::Count,
+                      Range{1.0, 65536.0}, "", "Planes are split and merged every this many steps, Table I line 9."},
+            Parameter{"schedule.remaining-every", &ScheduleParameters::remainingEvery, Unit::Count, Range{1.0, 65536.0},
+                      "", "Remaining segments are tried again every this many steps, Table I line 10."},
+        };
+    }
+};
+
+/// All parameters of an extraction, as one value.
+struct Parameters {
+    NoiseParameters noise;
+    SegmentParameters segments;
+    AssignmentParameters assignment;
+    ClusterParameters clusters;
+    PlaneParameters planes;
+    ScheduleParameters schedule;
+
+    /// The parts in the order in which people see them.
+    static constexpr auto parts()
+    {
+        return std::tuple{&Parameters::noise,    &Parameters::segments, &Parameters::assignment,
+                          &Parameters::clusters, &Parameters::planes,   &Parameters::schedule};
+    }
+};
+
+static_assert(defaultsAreInRange<NoiseParameters>());
+static_assert(defaultsAreInRange<SegmentParameters>());
+static_assert(defaultsAreInRange<AssignmentParameters>());
+static_assert(defaultsAreInRange<ClusterParameters>());
+static_assert(defaultsAreInRange<PlaneParameters>());
+static_assert(defaultsAreInRange<ScheduleParameters>());
+
+}  // namespace planewright
