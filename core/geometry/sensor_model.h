@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/params/parameters.h"
+#include "core/types/recording.h"
+
+namespace planewright {
+
+/// Geometry of the nodding scanner, Eq. (6), and the ranges that count as returns.
+struct SensorModel {
+    double pitchAxisOffset = 0.05;  ///< d_l [m]
+    double rangeMin = 0.1;          ///< [m]
+    double rangeMax = 30.0;         ///< [m]
+
+    /// True where a range is a return: not zero and within the limits.
+    bool hasEcho(double range) const { return range > 0.0 && range >= rangeMin && range <= rangeMax; }
+};
+
+/// The sensor model that a recording's description gives.
+SensorModel sensorOf(const ScanDescription& description);
+
+/// The point of a range [m] at a bearing θ and a tilt φ [rad], Eq. (6): x right, y forward, z up, origin on the pitch
+/// axis [m].
+Eigen::Vector3d toCartesian(double range, double bearing, double tilt, const SensorModel& sensor);
+
+/// J of Eq. (15): derivatives of Eq. (6) by range, bearing and tilt, one column each. Entry (3,1) is −sin θ cos φ; the
+/// paper prints it without the sign.
+Eigen::Matrix3d cartesianJacobian(double range, double bearing, double tilt, const SensorModel& sensor);
+
+/// C of Eq. (15) [m²]: the noise of range, bearing and tilt carried through J. Singular on the pitch axis.
+Eigen::Matrix3d cartesianCovariance(double range, double bearing, double tilt, const SensorModel& sensor,
+                                    const NoiseParameters& noise);
+
+}  // namespace planewright
