@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/formats/number_text.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace planewright {
+
+void appendNumber(std::string& text, double value)
+{
+    if (!std::isfinite(value))
+        return;
+    char buffer[32];  // the longest is -1.23456789e-308
+    const auto nine = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 8);
+    double rounded = 0.0;
+    if (std::from_chars(buffer, nine.ptr, rounded).ec != std::errc{})
+        rounded = value;  // nine digits of the very largest doubles lie beyond them
+    rounded += 0.0;       // -0 becomes 0
+    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded).ptr);
+}
+
+std::string formatNumber(double value)
+{
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
+}  // namespace planewright
