@@ -31,7 +31,7 @@ std::vector<std::size_t> coplanarGroups(std::span<const ComparedPlane> planes)
         for (std::size_t j = i + 1; j < planes.size(); ++j) {
             if (!areCoplanar(planes[i], planes[j]))
                 continue;
-            const auto [low, high] = std::minmax(root(i), root(j));
+            const auto [low, high] = std::minmax({root(i), root(j)});
             first[high] = low;
         }
     }
