@@ -2,11 +2,48 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # planewright_test(<target> SOURCES <files> LIBRARIES <targets>): one QtTest executable, run by CTest without a display.
+#
+# A test sees no settings of the person who runs it: HOME, the XDG folders and TMPDIR are folders of its own in the build
+# tree. It carries the name of its top-level folder under tests/ as CTest label, and is built by the target
+# tests_<label>: tests_core builds the tests of core and no others. PLANEWRIGHT_SOURCE_DIR is the top of the source tree,
+# as a string literal.
 function(planewright_test target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
     add_executable(${target} ${arg_SOURCES})
-    set_target_properties(${target} PROPERTIES AUTOMOC ON)
+    # Qt's moc stumbles over <compare>, <numbers> and others where libstdc++'s own configuration was not read before.
+    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_MOC_OPTIONS "--include;version")
     target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} Qt6::Test project_options)
+    target_compile_definitions(${target} PRIVATE PLANEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     add_test(NAME ${target} COMMAND ${target})
-    set_tests_properties(${target} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8" TIMEOUT 600)
+    planewright_isolate_test(${target})
+
+    get_property(label TEST ${target} PROPERTY LABELS)
+    if(NOT TARGET tests_${label})
+        add_custom_target(tests_${label})
+    endif()
+    add_dependencies(tests_${label} ${target})
+endfunction()
+
+# planewright_isolate_test(<test>): the environment and label of planewright_test for a test made by add_test().
+function(planewright_isolate_test test)
+    set(home "${PROJECT_BINARY_DIR}/test-homes/${test}")
+    file(MAKE_DIRECTORY "${home}/config" "${home}/data" "${home}/cache" "${home}/state" "${home}/tmp")
+    file(MAKE_DIRECTORY "${home}/run")
+    file(CHMOD "${home}/run" DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+
+    cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/tests" OUTPUT_VARIABLE label)
+    string(REGEX REPLACE "/.*" "" label "${label}")
+
+    set(environment
+        QT_QPA_PLATFORM=offscreen
+        LC_ALL=C.UTF-8
+        TZ=UTC
+        HOME=${home}
+        TMPDIR=${home}/tmp
+        XDG_CONFIG_HOME=${home}/config
+        XDG_DATA_HOME=${home}/data
+        XDG_CACHE_HOME=${home}/cache
+        XDG_STATE_HOME=${home}/state
+        XDG_RUNTIME_DIR=${home}/run)
+    set_tests_properties(${test} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT 600 LABELS "${label}")
 endfunction()

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/params/manual_page.h"
+
+#include <charconv>
+#include <string_view>
+#include <vector>
+
+#include "core/params/presets.h"
+#include "core/params/registry.h"
+
+namespace planewright {
+
+namespace {
+
+constexpr std::string_view kIntroduction =
+    "# Parameters\n"
+    "\n"
+    "Every parameter of an extraction. `-P key=value` sets one, a preset file sets several; the later wins.\n"
+    "Lengths are metres and angles degrees, as the unit says. The symbol is the published method's, in ASCII.\n"
+    "\n"
+    "This page is made from the program's own table: `planewright-cli params list --markdown`.\n";
+
+std::string_view partOf(std::string_view key)
+{
+    return key.substr(0, key.find('.'));
+}
+
+/// A limit of a range: tiny ones as 1e-15, others without an exponent.
+std::string limitText(double limit)
+{
+    const auto format = limit > 0.0 && limit < 1e-4 ? std::chars_format::scientific : std::chars_format::fixed;
+    char text[64];
+    return {text, std::to_chars(text, text + sizeof text, limit, format).ptr};
+}
+
+std::string allowedText(const ParameterRow& row)
+{
+    if (row.choices.empty())
+        return limitText(row.lowest) + " to " + limitText(row.highest);
+    std::string words;
+    for (const std::string_view choice : row.choices)
+        words += (words.empty() ? "`" : ", `") + std::string{choice} + "`";
+    return words;
+}
+
+/// A row of a Markdown table; a bar inside a cell would end it.
+std::string tableRow(const std::vector<std::string>& cells)
+{
+    std::string row = "|";
+    for (const std::string& cell : cells) {
+        row += ' ';
+        for (const char c : cell)
+            row += c == '|' ? std::string{"\\|"} : std::string{c};
+        row += cell.empty() ? "|" : " |";
+    }
+    return row + "\n";
+}
+
+std::string code(std::string_view text)
+{
+    return text.empty() ? "" : "`" + std::string{text} + "`";
+}
+
+std::string parameterTables()
+{
+    const Parameters defaults;
+    std::string text;
+    std::string_view part;
+    for (const ParameterRow& row : parameterRows()) {
+        if (partOf(row.key) != part) {
+            part = partOf(row.key);
+            text += "\n## " + std::string{part} + "\n\n" +
+                    tableRow({"key", "default", "unit", "allowed", "symbol", "meaning"}) +
+                    tableRow({"---", "---", "---", "---", "---", "---"});
+        }
+        text += tableRow({code(row.key), code(printParameter(defaults, row.key)), std::string{row.unitName},
+                          allowedText(row), code(row.symbol), std::string{row.meaning}});
+    }
+    return text;
+}
+
+std::string presetTable(const std::vector<Preset>& presets)
+{
+    std::string text = tableRow({"name", "meaning", "sets"}) + tableRow({"---", "---", "---"});
+    for (const Preset& preset : presets) {
+        std::string values;
+        for (const auto& [key, value] : preset.values)
+            values += (values.empty() ? "`" : ", `") + std::string{key} + "=" + std::string{value} + "`";
+        text += tableRow({code(preset.name), std::string{preset.meaning}, values.empty() ? "the defaults" : values});
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string parameterManualPage()
+{
+    return std::string{kIntroduction} + parameterTables() + "\n## Presets of the method: `--preset`\n\n" +
+           presetTable(methodPresets()) + "\n## Presets of the scanner: `--sensor`\n\n" + presetTable(sensorPresets());
+}
+
+}  // namespace planewright
