@@ -15,9 +15,8 @@ void appendNumber(std::string& text, double value)
     char buffer[32];  // the longest is -1.23456789e-308
     const auto nine = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 8);
     double rounded = 0.0;
-    if (std::from_chars(buffer, nine.ptr, rounded).ec != std::errc{})
-        rounded = value;  // nine digits of the very largest doubles lie beyond them
-    rounded += 0.0;       // -0 becomes 0
+    std::from_chars(buffer, nine.ptr, rounded);
+    rounded += 0.0;  // -0 becomes 0
     text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded).ptr);
 }
 
