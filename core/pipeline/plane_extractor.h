@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+
+#include "core/geometry/sensor_model.h"
+#include "core/params/parameters.h"
+#include "core/planes/plane_map.h"
+#include "core/segments/extract_line_segments.h"
+#include "core/types/scan_slice.h"
+#include "core/types/snapshot.h"
+#include "core/types/step_recorder.h"
+
+namespace planewright {
+
+/// What a caller may ask of an extraction beside its planes.
+struct ExtractionOptions {
+    StepClock clock;       ///< measures the phases; without one their times are zero
+    bool explain = false;  ///< keep every decision with its numbers in the step reports
+};
+
+/// Extracts the planes of a scan slice by slice, while it runs: Table I.
+///
+/// Given the same slices and parameters it gives the same planes, bit for bit, however they come. It owns no thread, no
+/// clock and no random numbers.
+class PlaneExtractor {
+public:
+    PlaneExtractor(const SensorModel& sensor, const Parameters& parameters, ExtractionOptions options = {});
+
+    /// Works one slice in; its step must exceed those before. Gives the state after it.
+    std::shared_ptr<const Snapshot> step(const ScanSlice& slice);
+
+    /// The forced last pass after the last slice: the schedule alone would leave up to six slices unprocessed. The
+    /// snapshot's report has step −1 and phase Finish.
+    std::shared_ptr<const Snapshot> finish();
+
+    /// Parameters for the steps to come.
+    void setParameters(const Parameters& parameters) { parameters_ = parameters; }
+
+private:
+    std::shared_ptr<const Snapshot> makeSnapshot(StepReport report);
+    void splitAndMerge(StepRecorder& recorder);
+
+    SensorModel sensor_;
+    Parameters parameters_;
+    ExtractionOptions options_;
+    LineSegmentExtractor extractor_;
+    PlaneMap map_;
+};
+
+}  // namespace planewright

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/planes/assign_to_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planewright {
+
+AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPlane& plane,
+                                    const AssignmentParameters& parameters)
+{
+    AssignmentTest test;
+    test.distance = std::max(plane.distanceTo(segment.start), plane.distanceTo(segment.end));
+    test.orthogonality = std::abs(plane.normal().dot(segment.direction));
+    test.distanceLimit = parameters.planeDistance;
+    test.orthogonalityLimit =
+        std::max(std::sin(parameters.orthogonality), parameters.orthogonalitySigmas * segment.directionSigma);
+    return test;
+}
+
+bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const LineSegment& segment = map.segments[number];
+    GrowingPlane* best = nullptr;
+    AssignmentTest bestTest;
+    GrowingPlane* nearest = nullptr;  // of those that do not match, for the explanation
+    AssignmentTest nearestTest;
+    for (GrowingPlane& plane : map.planes) {
+        const AssignmentTest test = compareForAssignment(segment, plane, parameters.assignment);
+        if (test.pass() && (best == nullptr || test.distance < bestTest.distance)) {
+            best = &plane;
+            bestTest = test;
+        }
+        if (nearest == nullptr || test.distance < nearestTest.distance) {
+            nearest = &plane;
+            nearestTest = test;
+        }
+    }
+
+    if (recorder.explains()) {
+        const auto describe = [](const AssignmentTest& test) {
+            return std::vector<Test>{{"plane_distance", test.distance, Comparison::Less, test.distanceLimit},
+                                     {"orthogonality", test.orthogonality, Comparison::Less, test.orthogonalityLimit}};
+        };
+        if (best != nullptr)
+            recorder.decide(DecisionKind::Assign, {segment.id, PlaneRef{best->id()}}, describe(bestTest),
+                            {PlaneRef{best->id()}});
+        else if (nearest != nullptr)
+            recorder.decide(DecisionKind::Reject, {segment.id, PlaneRef{nearest->id()}}, describe(nearestTest));
+        else
+            recorder.decide(DecisionKind::Reject, {segment.id}, {});
+    }
+    if (best == nullptr)
+        return false;
+
+    map.segments.owner(number) = best->id();
+    best->add(number, map.segments, parameters.planes, map.step);
+    if (best->addedSinceRefit() >= parameters.assignment.refitEvery)
+        best->refit(map.segments, parameters.planes, map.step);
+    return true;
+}
+
+std::vector<SegmentNumber> assignToPlanes(SegmentNumber first, PlaneMap& map, const Parameters& parameters,
+                                          StepRecorder& recorder)
+{
+    std::vector<SegmentNumber> left;
+    for (SegmentNumber segment = first; segment < map.segments.size(); ++segment) {
+        if (!assignToBestPlane(segment, map, parameters, recorder))
+            left.push_back(segment);
+    }
+    return left;
+}
+
+}  // namespace planewright

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "core/planes/plane_map.h"
+
+namespace planewright {
+
+/// How a segment and a plane compare in Eq. (8).
+struct AssignmentTest {
+    double distance = 0.0;       ///< D_ij: the farther of the two end points from the plane [m]
+    double orthogonality = 0.0;  ///< |n·δ|, the sine of the angle between segment and plane
+    double distanceLimit = 0.0;
+    double orthogonalityLimit = 0.0;
+
+    bool pass() const { return distance < distanceLimit && orthogonality < orthogonalityLimit; }
+};
+
+/// Compares a segment with a plane, Eq. (8), by the farther end point: the paper prints the nearer one, by which a
+/// segment that leaves a wall at a right angle could belong to it.
+AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPlane& plane,
+                                    const AssignmentParameters& parameters);
+
+/// Assigns a segment to the best matched plane, if one matches, and refits that plane after every so many additions.
+/// Gives true where it was assigned.
+bool assignToBestPlane(SegmentNumber segment, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// Assigns the segments from `first` on to existing planes (section 4.1.4, Table III); gives those left over.
+std::vector<SegmentNumber> assignToPlanes(SegmentNumber first, PlaneMap& map, const Parameters& parameters,
+                                          StepRecorder& recorder);
+
+}  // namespace planewright

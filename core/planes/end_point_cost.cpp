@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/planes/end_point_cost.h"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace planewright {
+
+namespace {
+
+/// C with the flatness of real walls, which also keeps it regular on the pitch axis, where Eq. (15) is singular.
+Eigen::Matrix3d withFlatness(const Eigen::Matrix3d& covariance, const PlaneParameters& parameters)
+{
+    const double floor = parameters.flatness * parameters.flatness + 1e-12;
+    return covariance + floor * Eigen::Matrix3d::Identity();
+}
+
+}  // namespace
+
+Eigen::Matrix<double, 3, 2> tangentsOf(const Eigen::Vector3d& normal)
+{
+    // The axis least along the normal gives the best conditioned first tangent.
+    Eigen::Index least = 0;
+    normal.cwiseAbs().minCoeff(&least);
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents.col(0) = normal.cross(Eigen::Vector3d::Unit(least)).normalized();
+    tangents.col(1) = normal.cross(tangents.col(0));
+    return tangents;
+}
+
+double endPointWeight(const Eigen::Vector3d& normal, const EndPoint& point, const PlaneParameters& parameters)
+{
+    const Eigen::Matrix3d covariance = withFlatness(point.covariance, parameters);
+    if (parameters.cost == PlaneCost::Foot)
+        return normal.dot(covariance.inverse() * normal);
+    return 1.0 / normal.dot(covariance * normal);
+}
+
+void addEquations(const Eigen::Vector3d& normal, double distance, const Eigen::Matrix<double, 3, 2>& tangents,
+                  const EndPoint& point, const PlaneParameters& parameters, EndPointEquations& sum)
+{
+    const double residual = normal.dot(point.position) - distance;
+    const Eigen::Matrix3d covariance = withFlatness(point.covariance, parameters);
+
+    if (parameters.cost == PlaneCost::Foot) {
+        // H = C^(-1/2) r n; along the tangents dH/dn = C^(-1/2) (n p' + r I), and dH/dd = −C^(-1/2) n.
+        const Eigen::Matrix3d inverse = covariance.inverse();
+        Eigen::Matrix3d foot;
+        foot.leftCols<2>() = normal * (point.position.transpose() * tangents) + residual * tangents;
+        foot.col(2) = -normal;
+        sum.information += foot.transpose() * inverse * foot;
+        sum.gradient += foot.transpose() * (inverse * normal) * residual;
+        sum.cost += residual * residual * normal.dot(inverse * normal);
+        return;
+    }
+    // H = r/s with s² = n'Cn; dH/dn = p/s − r Cn/s³, dH/dd = −1/s.
+    const Eigen::Vector3d across = covariance * normal;
+    const double variance = normal.dot(across);
+    const double scale = 1.0 / std::sqrt(variance);
+    Eigen::Vector3d row;
+    row.head<2>() = tangents.transpose() * (scale * (point.position - (residual / variance) * across));
+    row[2] = -scale;
+    const double value = residual * scale;
+    sum.information += row * row.transpose();
+    sum.gradient += value * row;
+    sum.cost += value * value;
+}
+
+}  // namespace planewright

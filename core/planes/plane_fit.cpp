@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/planes/plane_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+namespace planewright {
+
+namespace {
+
+EndPointEquations equationsOf(const Eigen::Vector3d& normal, double distance,
+                              const Eigen::Matrix<double, 3, 2>& tangents, std::span<const EndPoint> points,
+                              const PlaneParameters& parameters)
+{
+    EndPointEquations sum;
+    for (const EndPoint& point : points)
+        addEquations(normal, distance, tangents, point, parameters, sum);
+    return sum;
+}
+
+}  // namespace
+
+void WeightedSums::add(const Eigen::Vector3d& point, double w)
+{
+    weight += w;
+    first += w * point;
+    second += (w * point) * point.transpose();
+    ++points;
+}
+
+WeightedSums& WeightedSums::operator+=(const WeightedSums& other)
+{
+    weight += other.weight;
+    first += other.first;
+    second += other.second;
+    points += other.points;
+    return *this;
+}
+
+double WeightedSums::meanError(const Eigen::Vector3d& normal, double distance) const
+{
+    const double sum = normal.dot(second * normal) - 2.0 * distance * normal.dot(first) + distance * distance * weight;
+    return points == 0 ? 0.0 : std::max(0.0, sum) / points;
+}
+
+PlaneFit fitPlane(const WeightedSums& sums, const Eigen::Vector3d& side)
+{
+    const Eigen::Vector3d centroid = sums.first / sums.weight;
+    const Eigen::Matrix3d scatter = sums.second - sums.first * centroid.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter);
+
+    PlaneFit fit;
+    fit.normal = eigen.eigenvectors().col(0);
+    if (fit.normal.dot(side) < 0.0)
+        fit.normal = -fit.normal;
+    fit.distance = fit.normal.dot(centroid);
+    fit.tangents = tangentsOf(fit.normal);
+    fit.error = sums.meanError(fit.normal, fit.distance);
+    const Eigen::Vector2d mixed = -fit.tangents.transpose() * sums.first;
+    fit.information.topLeftCorner<2, 2>() = fit.tangents.transpose() * sums.second * fit.tangents;
+    fit.information.topRightCorner<2, 1>() = mixed;
+    fit.information.bottomLeftCorner<1, 2>() = mixed.transpose();
+    fit.information(2, 2) = sums.weight;
+    return fit;
+}
+
+PlaneFit refinePlane(const PlaneFit& start, std::span<const EndPoint> points, const PlaneParameters& parameters)
+{
+    PlaneFit fit = start;
+    fit.iterations = 0;
+    fit.tangents = tangentsOf(fit.normal);
+    EndPointEquations equations = equationsOf(fit.normal, fit.distance, fit.tangents, points, parameters);
+    double damping = 1e-6;
+    while (fit.iterations < parameters.refineIterations) {
+        ++fit.iterations;
+        Eigen::Matrix3d damped = equations.information;
+        damped.diagonal() *= 1.0 + damping;
+        const Eigen::Vector3d step = -damped.ldlt().solve(equations.gradient);
+        if (!step.allFinite())
+            break;
+        const Eigen::Vector3d normal = (fit.normal + fit.tangents * step.head<2>()).normalized();
+        const double distance = fit.distance + step[2];
+        const Eigen::Matrix<double, 3, 2> tangents = tangentsOf(normal);
+        const EndPointEquations next = equationsOf(normal, distance, tangents, points, parameters);
+        const double decrease = equations.cost - next.cost;
+        if (decrease < 0.0) {
+            damping *= 100.0;
+            if (step.norm() < 1e-12 || damping > 1e12)
+                break;
+            continue;
+        }
+        fit.normal = normal;
+        fit.distance = distance;
+        fit.tangents = tangents;
+        const double before = equations.cost;
+        equations = next;
+        damping = std::max(damping / 100.0, 1e-12);
+        if (decrease <= parameters.refineTolerance * before || step.norm() < 1e-10)
+            break;
+    }
+    fit.information = equations.information;
+    fit.error = points.empty() ? 0.0 : equations.cost / static_cast<double>(points.size());
+    return fit;
+}
+
+}  // namespace planewright

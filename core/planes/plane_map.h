@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "core/clusters/direction_clusters.h"
+#include "core/planes/growing_plane.h"
+#include "core/planes/segment_table.h"
+#include "core/types/step_recorder.h"
+
+namespace planewright {
+
+/// What the extraction knows between two steps: the segments, the planes Π and the clusters Ψ.
+struct PlaneMap {
+    SegmentTable segments;
+    std::vector<GrowingPlane> planes;  ///< in order of id
+    DirectionClusters clusters;
+    PlaneId nextPlane = 0;
+    int step = 0;  ///< the step that is running
+
+    GrowingPlane& plane(PlaneId id);
+
+    /// Makes a plane of a fit and marks its segments as its own.
+    GrowingPlane& makePlane(const PlaneFit& fit, std::vector<SegmentNumber> members, const PlaneParameters& parameters);
+
+    /// Takes the segments that belong to a plane out of the clusters.
+    void removeOwnedFromClusters();
+};
+
+/// Puts segments into the clusters of like direction (Table IV) and says so.
+void addToClusters(const std::vector<SegmentNumber>& segments, PlaneMap& map, const ClusterParameters& parameters,
+                   StepRecorder& recorder);
+
+}  // namespace planewright

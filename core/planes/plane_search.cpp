@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/planes/plane_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/planes/growing_plane.h"
+
+namespace planewright {
+
+namespace {
+
+/// Rounds of collecting support and refining; the support of a short triple grows as its plane settles.
+constexpr int kSupportRounds = 5;
+
+struct Hypothesis {
+    double cost = 0.0;
+    std::size_t seed = 0;
+    Eigen::Vector3d normal;
+    double distance = 0.0;
+};
+
+/// The candidates as contiguous arrays, and the planes they suggest.
+class Search {
+public:
+    Search(const std::vector<Candidate>& candidates, const SegmentTable& table, const PlaneParameters& parameters)
+        : candidates_(candidates), table_(table), parameters_(parameters)
+    {
+        segments_.reserve(candidates.size());
+        midpoints_.reserve(candidates.size());
+        for (const Candidate& candidate : candidates) {
+            segments_.push_back(&table[candidate.segment]);
+            midpoints_.push_back(segments_.back()->midpoint());
+        }
+    }
+
+    std::vector<Hypothesis> hypotheses() const
+    {
+        std::vector<Hypothesis> all;
+        for (std::size_t seed = 0; seed < candidates_.size(); ++seed) {
+            if (!candidates_[seed].seed)
+                continue;
+            if (auto hypothesis = hypothesisOf(seed))
+                all.push_back(*hypothesis);
+        }
+        std::stable_sort(all.begin(), all.end(),
+                         [](const Hypothesis& a, const Hypothesis& b) { return a.cost < b.cost; });
+        return all;
+    }
+
+    /// Refines a hypothesis on its support until the support stays the same.
+    FoundPlane grow(const Hypothesis& hypothesis, std::vector<std::size_t>& support) const
+    {
+        FoundPlane found;
+        found.fit.normal = hypothesis.normal;
+        found.fit.distance = hypothesis.distance;
+        for (int round = 0; round < kSupportRounds; ++round) {
+            std::vector<std::size_t> now = supportOf(found.fit.normal, found.fit.distance);
+            if (now == support || now.size() < 3)
+                break;
+            support = std::move(now);
+            found.members.clear();
+            for (const std::size_t i : support)
+                found.members.push_back(candidates_[i].segment);
+            found.fit = refinePlane(found.fit, endPointsOf(found.members, table_), parameters_);
+        }
+        found.tests = availability(found);
+        return found;
+    }
+
+private:
+    /// The two nearest candidates, by midpoint, that are of slices other than the seed's and each other's.
+    std::optional<std::array<std::size_t, 3>> tripleOf(std::size_t seed) const
+    {
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        std::size_t nearest = 0;
+        std::size_t second = 0;
+        double nearestDistance = kFar;
+        double secondDistance = kFar;
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            const int step = segments_[i]->id.step;
+            if (step == segments_[seed]->id.step)
+                continue;
+            const double distance = (midpoints_[i] - midpoints_[seed]).squaredNorm();
+            if (distance < nearestDistance) {
+                if (nearestDistance < kFar && segments_[nearest]->id.step != step) {
+                    second = nearest;
+                    secondDistance = nearestDistance;
+                }
+                nearest = i;
+                nearestDistance = distance;
+            } else if (distance < secondDistance && segments_[nearest]->id.step != step) {
+                second = i;
+                secondDistance = distance;
+            }
+        }
+        if (secondDistance == kFar)
+            return std::nullopt;
+        return std::array{seed, nearest, second};
+    }
+
+    std::optional<Hypothesis> hypothesisOf(std::size_t seed) const
+    {
+        const auto triple = tripleOf(seed);
+        if (!triple)
+            return std::nullopt;
+        WeightedSums sums;
+        for (const std::size_t i : *triple) {
+            sums.add(segments_[i]->start, 1.0);
+            sums.add(segments_[i]->end, 1.0);
+        }
+        const PlaneFit fit = fitPlane(sums, Eigen::Vector3d::UnitZ());
+        for (const std::size_t i : *triple) {
+            if (farther(*segments_[i], fit.normal, fit.distance) >= parameters_.inlierDistance)
+                return std::nullopt;
+        }
+        return Hypothesis{costOf(fit.normal, fit.distance), seed, fit.normal, fit.distance};
+    }
+
+    /// Eq. (14) over both end points of all candidates.
+    double costOf(const Eigen::Vector3d& normal, double distance) const
+    {
+        const double limit = parameters_.inlierDistance * parameters_.inlierDistance;
+        double cost = 0.0;
+        for (const LineSegment* segment : segments_) {
+            const double start = normal.dot(segment->start) - distance;
+            const double end = normal.dot(segment->end) - distance;
+            cost += std::min(start * start, limit) + std::min(end * end, limit);
+        }
+        return cost;
+    }
+
+    static double farther(const LineSegment& segment, const Eigen::Vector3d& normal, double distance)
+    {
+        return std::max(std::abs(normal.dot(segment.start) - distance), std::abs(normal.dot(segment.end) - distance));
+    }
+
+    std::vector<std::size_t> supportOf(const Eigen::Vector3d& normal, double distance) const
+    {
+        std::vector<std::size_t> support;
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            if (farther(*segments_[i], normal, distance) < parameters_.inlierDistance)
+                support.push_back(i);
+        }
+        return support;
+    }
+
+    /// The shorter extent of the end points in their plane, along their principal axes [m].
+    double shorterExtent(const std::vector<SegmentNumber>& members, const PlaneFit& fit) const
+    {
+        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+        Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+        std::vector<Eigen::Vector2d> flat;
+        for (const SegmentNumber number : members) {
+            for (const Eigen::Vector3d& point : {table_[number].start, table_[number].end}) {
+                flat.push_back(fit.tangents.transpose() * point);
+                mean += flat.back();
+            }
+        }
+        mean /= static_cast<double>(flat.size());
+        for (const Eigen::Vector2d& point : flat)
+            second += (point - mean) * (point - mean).transpose();
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+        eigen.computeDirect(second);
+        const Eigen::Vector2d axis = eigen.eigenvectors().col(0);
+        double lowest = std::numeric_limits<double>::infinity();
+        double highest = -lowest;
+        for (const Eigen::Vector2d& point : flat) {
+            lowest = std::min(lowest, axis.dot(point));
+            highest = std::max(highest, axis.dot(point));
+        }
+        return highest - lowest;
+    }
+
+    std::vector<Test> availability(const FoundPlane& found) const
+    {
+        int slices = 0;
+        int points = 0;
+        int lastStep = -1;
+        for (const SegmentNumber number : found.members) {
+            points += table_[number].points;
+            if (table_[number].id.step != lastStep)
+                ++slices;
+            lastStep = table_[number].id.step;
+        }
+        std::vector<Test> tests{
+            {"segments", static_cast<double>(found.members.size()), Comparison::GreaterEqual,
+             static_cast<double>(parameters_.minSegments)},
+            {"slices", static_cast<double>(slices), Comparison::GreaterEqual,
+             static_cast<double>(parameters_.minSlices)},
+            {"points", static_cast<double>(points), Comparison::GreaterEqual,
+             static_cast<double>(parameters_.minPoints)},
+        };
+        if (found.members.empty())
+            return tests;
+        tests.push_back(
+            {"extent", shorterExtent(found.members, found.fit), Comparison::GreaterEqual, parameters_.minExtent});
+        tests.push_back({"fitting_error", found.fit.error, Comparison::LessEqual, parameters_.errorLimit});
+        return tests;
+    }
+
+    const std::vector<Candidate>& candidates_;
+    const SegmentTable& table_;
+    const PlaneParameters& parameters_;
+    std::vector<const LineSegment*> segments_;
+    std::vector<Eigen::Vector3d> midpoints_;
+};
+
+}  // namespace
+
+std::optional<FoundPlane> findPlane(const std::vector<Candidate>& candidates, const SegmentTable& table,
+                                    const PlaneParameters& parameters, std::vector<FailedHypothesis>* failures)
+{
+    const Search search(candidates, table, parameters);
+    std::vector<char> covered(candidates.size(), 0);
+    for (const Hypothesis& hypothesis : search.hypotheses()) {
+        if (covered[hypothesis.seed] != 0)
+            continue;
+        std::vector<std::size_t> support;
+        FoundPlane found = search.grow(hypothesis, support);
+        if (std::all_of(found.tests.begin(), found.tests.end(), [](const Test& test) { return test.pass(); }))
+            return found;
+        covered[hypothesis.seed] = 1;
+        for (const std::size_t i : support)
+            covered[i] = 1;
+        if (failures != nullptr)
+            failures->push_back({candidates[hypothesis.seed].segment, std::move(found.tests)});
+    }
+    return std::nullopt;
+}
+
+}  // namespace planewright

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "core/segments/slice_points.h"
+
+namespace planewright {
+
+/// D_o of Eq. (3) [m]: the largest gap between neighbouring points of one surface, seen at a range [m] with a bearing
+/// step [rad]. The step is the bearing's, although the paper prints the letter of the pitch.
+double breakpointDistance(double range, double bearingStep, const SegmentParameters& parameters,
+                          const NoiseParameters& noise);
+
+/// Splits a slice into runs of neighbouring points that lie on one surface (Table II, lines 2 to 6).
+///
+/// Two neighbours stay together while their gap is below D_o of Eq. (3), which grows with range so that far, sparsely
+/// sampled walls are not shredded. A beam without echo ends the run. Runs come in bearing order, never overlap and hold
+/// at least two points; a slice without echoes gives none.
+void splitAtBreakpoints(const SlicePoints& points, double bearingStep, const SegmentParameters& parameters,
+                        const NoiseParameters& noise, std::vector<PointRun>& runs);
+
+}  // namespace planewright

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/segments/extract_line_segments.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/segments/breakpoints.h"
+#include "core/segments/end_point_fit.h"
+#include "core/segments/merge_pieces.h"
+
+namespace planewright {
+
+namespace {
+
+/// Eq. (5), turned round: long enough and of enough points.
+bool isAvailable(const SlicePoints& points, const PointRun& piece, const SegmentParameters& parameters)
+{
+    return points.echoesIn(piece) >= parameters.minPoints &&
+           (points[piece.first] - points[piece.last]).norm() >= parameters.minLength;
+}
+
+/// Moments in space of the points of a piece, all taken at the tilt of its middle.
+PointMoments momentsOf(const SlicePoints& points, const PointRun& piece, double tilt, const SensorModel& sensor)
+{
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+    const Eigen::Vector2d origin = points[piece.first];
+    double count = 0.0;
+    for (int beam = piece.first; beam <= piece.last; ++beam) {
+        if (!points.hasEcho(beam))
+            continue;
+        const Eigen::Vector2d p = points[beam] - origin;
+        count += 1.0;
+        mean += p;
+        scatter += p * p.transpose();
+    }
+    mean /= count;
+    scatter -= count * mean * mean.transpose();
+    mean += origin;
+
+    Eigen::Matrix<double, 3, 2> axes;
+    axes.col(0) = Eigen::Vector3d::UnitX();
+    axes.col(1) = Eigen::Vector3d{0.0, std::sin(tilt), -std::cos(tilt)};
+    PointMoments moments;
+    moments.count = count;
+    moments.mean = axes * mean + toCartesian(0.0, 0.0, tilt, sensor);
+    moments.scatter = axes * scatter * axes.transpose();
+    return moments;
+}
+
+LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const ScanSlice& slice, const SensorModel& sensor,
+                    const NoiseParameters& noise)
+{
+    const auto first = static_cast<std::size_t>(piece.first);
+    const auto last = static_cast<std::size_t>(piece.last);
+    const SliceLine line = points.lineThrough(piece);
+
+    LineSegment segment;
+    segment.firstBeam = piece.first;
+    segment.lastBeam = piece.last;
+    segment.points = line.points;
+    segment.start = toCartesian(slice.ranges[first], slice.bearing(first), slice.tiltAt(first), sensor);
+    segment.end = toCartesian(slice.ranges[last], slice.bearing(last), slice.tiltAt(last), sensor);
+    segment.direction = (segment.start - segment.end).normalized();
+    segment.startCovariance =
+        cartesianCovariance(slice.ranges[first], slice.bearing(first), slice.tiltAt(first), sensor, noise);
+    segment.endCovariance =
+        cartesianCovariance(slice.ranges[last], slice.bearing(last), slice.tiltAt(last), sensor, noise);
+    segment.directionSigma = std::sqrt(points.varianceAcross(piece.first, line.normal()) +
+                                       points.varianceAcross(piece.last, line.normal())) /
+                             segment.length();
+    segment.rms = std::sqrt(line.variance);
+    segment.moments = momentsOf(points, piece, slice.tiltAt((first + last) / 2), sensor);
+    return segment;
+}
+
+}  // namespace
+
+Segments LineSegmentExtractor::extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters)
+{
+    points_.take(slice, sensor, parameters.noise);
+    splitAtBreakpoints(points_, slice.bearingStep, parameters.segments, parameters.noise, runs_);
+    pieces_.clear();
+    for (const PointRun& run : runs_)
+        splitByEndPointFit(points_, run, parameters.segments, pieces_);
+    mergePieces(points_, slice.bearingStep, parameters.segments, pieces_);
+
+    Segments segments;
+    for (const PointRun& piece : pieces_) {
+        if (!isAvailable(points_, piece, parameters.segments))
+            continue;
+        segments.push_back(inSpace(points_, piece, slice, sensor, parameters.noise));
+        segments.back().id = {slice.step, static_cast<int>(segments.size()) - 1};
+    }
+    return segments;
+}
+
+}  // namespace planewright
