@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/plane_frame.h"
+
+namespace planewright {
+
+/// A connected area: outer ring counter-clockwise, holes clockwise.
+struct PlanarPolygon {
+    PlanarRing ring;
+    std::vector<PlanarRing> holes;
+};
+
+/// The union of counter-clockwise rings, on a grid of a micrometre (coarser beyond 500 m).
+///
+/// Cracks up to 4 cm wide and holes below 1 dm² are closed, parts below 10 cm² are left out: they come from the noise
+/// of segment ends. No order of parts, holes and first vertices is promised.
+std::vector<PlanarPolygon> unionOf(const std::vector<PlanarRing>& rings);
+
+/// Signed area of a ring [m²], positive if counter-clockwise.
+double signedArea(const PlanarRing& ring);
+
+}  // namespace planewright
