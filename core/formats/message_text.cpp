@@ -21,7 +21,7 @@ std::string printable(std::string_view text)
 
 }  // namespace
 
-std::string quoted(std::string_view text)
+std::string quotedText(std::string_view text)
 {
     return "'" + printable(text) + "'";
 }

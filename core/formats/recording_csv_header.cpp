@@ -151,7 +151,8 @@ void HeaderReader::setKey(std::string_view key, std::string_view value)
         header_.description.scanner = value;
     else if (key == "format") {
         if (value != kFormat)
-            add(quoted(value) + " is not a format that this program reads; give '" + std::string{kFormat} + "'", key);
+            add(quotedText(value) + " is not a format that this program reads; give '" + std::string{kFormat} + "'",
+                key);
     } else {
         header_.description.extra.emplace_back(key, value);
         warnings_.push_back(placeInFile(problems_.fileName(), lines_.number(), 0, key) +
@@ -167,12 +168,12 @@ void HeaderReader::setNumber(std::size_t index, std::string_view text)
     const auto value = readNumber<double>(text);
     if (!value) {
         const bool comma = text.find(',') != std::string_view::npos;
-        add(quoted(text) + " is not a number; " + (comma ? "write a decimal point" : allowed(key)), key.key);
+        add(quotedText(text) + " is not a number; " + (comma ? "write a decimal point" : allowed(key)), key.key);
         return;
     }
     const bool whole = key.key != "beams" || *value == std::floor(*value);
     if (!whole || *value > key.highest || *value < key.lowest || (*value == key.lowest && !key.lowestAllowed)) {
-        add(quoted(text) + " is not allowed; " + allowed(key), key.key);
+        add(quotedText(text) + " is not allowed; " + allowed(key), key.key);
         return;
     }
     values_[index] = *value;
@@ -243,7 +244,7 @@ bool HeaderReader::readColumns(std::string_view line)
         const bool separator = !more && column == 0 && name.find_first_of(";\t") != std::string_view::npos;
         problems_.add(separator ? "the columns are not separated by commas; save the file with ',' between columns and "
                                   "'.' in numbers"
-                                : quoted(name) + " stands where '" + expected +
+                                : quotedText(name) + " stands where '" + expected +
                                       "' belongs; name the columns slice,time_s,pitch_deg,r0,r1,... without gaps",
                       lines_.number(), column + 1);
         return false;

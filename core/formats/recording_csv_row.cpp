@@ -77,7 +77,7 @@ void RowReader::split(std::string_view line)
 
 void RowReader::tell(const Cell& cell, std::size_t lineNumber, std::string_view what, ProblemList& problems) const
 {
-    problems.add(quoted(cell.text) + " " + std::string{what}, lineNumber, cell.column + 1,
+    problems.add(quotedText(cell.text) + " " + std::string{what}, lineNumber, cell.column + 1,
                  header_.columnName(cell.column));
 }
 

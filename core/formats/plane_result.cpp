@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/formats/plane_result.h"
+
+#include <limits>
+
+namespace planewright {
+
+std::vector<PlaneResult> planeResults(const Snapshot& snapshot)
+{
+    std::vector<PlaneResult> results;
+    results.reserve(snapshot.planes.size());
+    for (const auto& plane : snapshot.planes)
+        results.push_back({plane, outlineOf(*plane, snapshot.segments), {}, {}});
+    return results;
+}
+
+PlaneResult knownPlane(PlaneId id, std::string_view name, const Eigen::Vector3d& normal, double distance, int points)
+{
+    auto plane = std::make_shared<Plane>();
+    plane->id = id;
+    plane->normal = normal;
+    plane->distance = distance;
+    makeCanonical(plane->normal, plane->distance);
+    plane->points = points;
+    plane->fittingError = std::numeric_limits<double>::quiet_NaN();
+    plane->rms = std::numeric_limits<double>::quiet_NaN();
+    return {std::move(plane), {}, std::string{name}, {}};
+}
+
+}  // namespace planewright
