@@ -1,6 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Planewright authors
 # SPDX-License-Identifier: BSD-3-Clause
 
+foreach(folder IN ITEMS app architecture core devices ui)
+    add_custom_target(tests_${folder})
+endforeach()
+
 # planewright_test(<target> SOURCES <files> LIBRARIES <targets>): one QtTest executable, run by CTest without a display.
 #
 # A test sees no settings of the person who runs it: HOME, the XDG folders and TMPDIR are folders of its own in the build
@@ -18,9 +22,6 @@ function(planewright_test target)
     planewright_isolate_test(${target})
 
     get_property(label TEST ${target} PROPERTY LABELS)
-    if(NOT TARGET tests_${label})
-        add_custom_target(tests_${label})
-    endif()
     add_dependencies(tests_${label} ${target})
 endfunction()
 
@@ -45,5 +46,5 @@ function(planewright_isolate_test test)
         XDG_CACHE_HOME=${home}/cache
         XDG_STATE_HOME=${home}/state
         XDG_RUNTIME_DIR=${home}/run)
-    set_tests_properties(${test} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT 600 LABELS "${label}")
+    set_tests_properties(${test} PROPERTIES ENVIRONMENT "${environment}" LABELS "${label}")
 endfunction()
