@@ -6,10 +6,10 @@
 namespace planewright {
 
 namespace {
-
 constexpr std::size_t kLongestQuote = 40;
+}
 
-std::string printable(std::string_view text)
+std::string printableText(std::string_view text)
 {
     std::string plain{text.substr(0, kLongestQuote)};
     for (char& c : plain) {
@@ -19,11 +19,9 @@ std::string printable(std::string_view text)
     return text.size() > kLongestQuote ? plain + "..." : plain;
 }
 
-}  // namespace
-
 std::string quotedText(std::string_view text)
 {
-    return "'" + printable(text) + "'";
+    return "'" + printableText(text) + "'";
 }
 
 std::string placeInFile(std::string_view fileName, std::size_t line, std::size_t column, std::string_view name)
@@ -36,7 +34,7 @@ std::string placeInFile(std::string_view fileName, std::size_t line, std::size_t
     if (column != 0)
         place += ", column " + std::to_string(column);
     if (!name.empty())
-        place += " (" + printable(name) + ")";
+        place += " (" + printableText(name) + ")";
     return place + ": ";
 }
 

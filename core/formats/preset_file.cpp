@@ -58,7 +58,8 @@ Result<void> readPresetFile(std::istream& in, const std::string& fileName, Param
         const auto text = valueText(quotedText(key), value);
         if (!text)
             return refuse(text.error().code, text.error().message);
-        if (const auto set = setParameter(changed, key, *text); !set)
+        // No key or value that is right is changed by printableText, and messages repeat both.
+        if (const auto set = setParameter(changed, printableText(key), printableText(*text)); !set)
             return refuse(set.error().code, set.error().message);
     }
     parameters = changed;

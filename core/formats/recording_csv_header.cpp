@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kFormat = "nodding-laser-csv 1";
 constexpr std::size_t kMostHeaderLines = 1000;
 
-/// A header key whose value is a number.
+/// A header key whose value is a number, and its limits, which are whole.
 struct NumberKey {
     std::string_view key;
     double lowest;
@@ -46,11 +46,10 @@ constexpr std::array<NumberKey, kNumberKeys> kKeys{{
 
 std::string allowed(const NumberKey& key)
 {
-    std::string text = key.lowestAllowed ? "give a number from " + formatNumber(key.lowest)
-                                         : "give a number above " + formatNumber(key.lowest);
-    if (key.key == "beams")
-        text.replace(0, std::string_view{"give a number"}.size(), "give a whole number");
-    text += (key.lowestAllowed ? " to " : ", at most ") + formatNumber(key.highest);
+    const auto whole = [](double limit) { return std::to_string(static_cast<int>(limit)); };
+    std::string text = key.key == "beams" ? "give a whole number " : "give a number ";
+    text += key.lowestAllowed ? "from " + whole(key.lowest) + " to " : "above " + whole(key.lowest) + ", at most ";
+    text += whole(key.highest);
     return key.unit.empty() ? text : text + " " + std::string{key.unit};
 }
 
@@ -92,6 +91,8 @@ std::optional<RecordingHeader> HeaderReader::read()
             return std::nullopt;
         }
         if (line->starts_with('#')) {
+            if (!lines_.terminated())
+                break;
             if (!readKey(*line))
                 return std::nullopt;
             continue;
@@ -110,11 +111,14 @@ std::optional<RecordingHeader> HeaderReader::read()
             return std::nullopt;
         return header_;
     }
-    if (lines_.problem().empty())
-        problems_.add(lines_.number() == 0
-                          ? "the file is empty; give a recording of the format '" + std::string{kFormat} + "'"
-                          : "the file ends before the line of column names; get the whole file",
-                      lines_.number());
+    if (!lines_.problem().empty())
+        return std::nullopt;
+    if (lines_.number() != 0)
+        add("the file ends before the line of column names; get the whole file");
+    else if (lines_.cutShort())
+        add("the compressed file was cut short before its first line; get the whole file");
+    else
+        add("the file is empty; give a recording of the format '" + std::string{kFormat} + "'");
     return std::nullopt;
 }
 
@@ -241,6 +245,10 @@ bool HeaderReader::readColumns(std::string_view line)
             expected = "r" + std::to_string(ranges++);
         if (name == expected)
             continue;
+        if (!more && !lines_.terminated()) {
+            add("the file ends in the line of column names; get the whole file");
+            return false;
+        }
         const bool separator = !more && column == 0 && name.find_first_of(";\t") != std::string_view::npos;
         problems_.add(separator ? "the columns are not separated by commas; save the file with ',' between columns and "
                                   "'.' in numbers"
