@@ -61,17 +61,17 @@ std::span<const std::string_view> sceneNames();
 /// A room by name; the seed varies dimensions, furniture and where the sensor stands. An unknown name is a Usage error
 /// that lists the known ones.
 ///
-/// | scene    | what it is                                                                            | planes    |
-/// | -------- | ------------------------------------------------------------------------------------- | --------- |
-/// | corridor | 2.4 m × 30 m, doors recessed 5 to 10 cm on both sides                                 | 6 + 4 a door |
-/// | office   | 6 m × 5 m with desks, cupboards, shelves, whiteboard and window niche                 | 50 to 90  |
-/// | hall     | 20 m × 25 m with square pillars and partitions                                        | 33 to 38  |
-/// | curved   | a room whose right wall curves gently                                                 | 5 and more |
-/// | stairs   | a flight of 12 steps of 17 cm × 29 cm up to a landing                                 | 29 to 31  |
-/// | twelve   | the planes of Table XII, id = number − 1, free-standing; the seed varies their extent | 12        |
-/// | clutter  | boxes at odd angles, drums and poles                                                  | 60 and more |
-/// | empty    | nothing at all                                                                        | 0         |
-/// | hostile  | what is nasty: slats, grazing surfaces, planes 1 cm apart, glass, ranges at the limits | 30 and more |
+/// | scene    | what it is                                                                              | planes |
+/// | -------- | --------------------------------------------------------------------------------------- | ------ |
+/// | corridor | 2.4 m × 30 m, doors recessed 5 to 10 cm on both sides: 4 planes a door                  | 6 + 4 × 16 to
+/// 20 | | office   | about 6 m × 5 m with desks, cupboards, shelves, whiteboard and window niche             | 65 or 70
+/// | | hall     | 20 m × 25 m with square pillars and partitions                                          | 35 to 37 |
+/// | curved   | a room whose right wall curves gently                                                   | 14 |
+/// | stairs   | a flight of 12 steps of 17 cm × 29 cm up to a landing                                   | 30 |
+/// | twelve   | the planes of Table XII, id = number − 1, free-standing; the seed varies their extent   | 12 |
+/// | clutter  | boxes at odd angles, leaning boards, drums, poles                                       | 79 to 99 |
+/// | empty    | nothing at all                                                                          | 0 |
+/// | hostile  | what is nasty: slats, grazing surfaces, planes 1 cm apart, glass, ranges at the limits  | 44 |
 Result<Scene> makeScene(std::string_view name, std::uint64_t seed);
 
 }  // namespace planewright

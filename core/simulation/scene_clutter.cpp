@@ -92,9 +92,10 @@ Scene makeClutter(std::uint64_t seed)
         const Eigen::Vector3d size(random.uniform(0.25, 0.7), random.uniform(0.25, 0.6), random.uniform(0.2, 1.1));
         const Eigen::Vector2d at = places.next(0.5 * std::hypot(size.x(), size.y()));
         const std::string name = "box " + std::to_string(i + 1);
-        room.box(name, {at, size, 0.0, random.uniform(0.0, degrees(90.0))});
+        const double yaw = random.uniform(0.0, degrees(90.0));
+        room.box(name, {at, size, 0.0, yaw});
         if (i % 4 == 0)
-            room.box(name + " upper", {at, 0.6 * size, size.z(), random.uniform(0.0, degrees(90.0))});
+            room.box(name + " upper", {at, 0.6 * size, size.z(), yaw + degrees(random.uniform(20.0, 70.0))});
     }
     for (int i = 0; i < 3; ++i)
         addLeaningBoard(room, "board " + std::to_string(i + 1), places.next(0.5), random);

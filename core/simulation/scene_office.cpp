@@ -53,8 +53,8 @@ void addWindowDesk(SceneBuilder& room, double wallY, double top, Random& random)
     room.wall("desk 1 right side", {{2.67, front}, {2.67, wallY - 0.05}, 0.0, top});
     room.wall("desk 1 panel", {{0.93, wallY - 0.55}, {2.67, wallY - 0.55}, 0.2, top});
     room.box("pedestal", {{2.35, front + 0.17}, {0.42, 0.26, 0.55}}, kLeft | kRight | kFront | kTop);
-    room.box("screen", {{random.uniform(1.5, 1.8), wallY - 0.3}, {0.58, 0.08, 0.36}, top + 0.12}, kStanding | kBottom);
-    room.box("books", {{1.15, front + 0.25}, {0.30, 0.22, random.uniform(0.12, 0.2)}, top, random.uniform(0.2, 0.5)});
+    room.box("screen", {{random.uniform(1.5, 1.8), wallY - 0.3}, {0.58, 0.08, 0.36}, top + 0.20}, kStanding | kBottom);
+    room.box("books", {{1.15, front + 0.25}, {0.30, 0.22, random.uniform(0.10, 0.14)}, top, random.uniform(0.2, 0.5)});
 }
 
 /// The desk at the right wall.
