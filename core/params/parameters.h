@@ -88,6 +88,7 @@ struct SegmentParameters {
 /// When a segment joins a plane (section 4.1.4).
 struct AssignmentParameters {
     double planeDistance = 0.03;
+    double planeDistanceSigmas = 3.0;
     double orthogonality = degrees(5.0);
     double orthogonalitySigmas = 3.0;
     int refitEvery = 10;
@@ -97,6 +98,9 @@ struct AssignmentParameters {
         return std::tuple{
             Parameter{"assignment.plane-distance", &AssignmentParameters::planeDistance, Unit::Metre, Range{0.001, 1.0},
                       "D_m", "A segment joins a plane when its farther end point is nearer than this, Eq. (8)."},
+            Parameter{"assignment.plane-distance-sigmas", &AssignmentParameters::planeDistanceSigmas, Unit::None,
+                      Range{0.0, 20.0}, "D_m",
+                      "The distance allowed is never less than this many standard deviations of the end point."},
             Parameter{"assignment.orthogonality", &AssignmentParameters::orthogonality, Unit::Angle,
                       Range{0.0, degrees(45.0)}, "epsilon_o",
                       "Largest angle between a segment and a plane that it joins, Eq. (8)."},
@@ -151,6 +155,7 @@ struct PlaneParameters {
     int minClusterSegments = 5;
     int minClusterSlices = 4;
     double inlierDistance = 0.03;
+    double inlierSigmas = 3.0;
     double errorLimit = 4.0;
     double refineTolerance = 1e-6;
     int refineIterations = 10;
@@ -160,7 +165,9 @@ struct PlaneParameters {
     double minExtent = 0.3;
     double mergeAngle = degrees(5.0);
     double mergeDistance = 0.025;
+    double mergeSigmas = 3.0;
     double mergeGap = 0.5;
+    double mergeShare = 0.75;
 
     static constexpr auto describe()
     {
@@ -175,6 +182,8 @@ struct PlaneParameters {
                       "N_c", "A cluster is searched for planes when its segments come from this many slices."},
             Parameter{"planes.inlier-distance", &PlaneParameters::inlierDistance, Unit::Metre, Range{0.0001, 1.0}, "T",
                       "End points farther than this from a hypothesis do not support it, Eq. (14)."},
+            Parameter{"planes.inlier-sigmas", &PlaneParameters::inlierSigmas, Unit::None, Range{0.0, 20.0}, "T",
+                      "The inlier distance is never less than this many standard deviations of the end point."},
             Parameter{"planes.error-limit", &PlaneParameters::errorLimit, Unit::None, Range{0.1, 1000.0}, "e_f",
                       "A plane with a larger fitting error is not made, and is split if it grew to it."},
             Parameter{"planes.refine-tolerance", &PlaneParameters::refineTolerance, Unit::None, Range{1e-15, 0.1},
@@ -193,8 +202,12 @@ struct PlaneParameters {
                       "nu_o", "Largest angle between two planes to be merged, Eq. (21)."},
             Parameter{"planes.merge-distance", &PlaneParameters::mergeDistance, Unit::Metre, Range{0.0, 1.0},
                       "delta_Pi", "Largest distance between two planes to be merged, Eq. (22)."},
+            Parameter{"planes.merge-sigmas", &PlaneParameters::mergeSigmas, Unit::None, Range{0.0, 20.0}, "delta_Pi",
+                      "The merge distance is never less than this many standard deviations of both planes there."},
             Parameter{"planes.merge-gap", &PlaneParameters::mergeGap, Unit::Metre, Range{0.0, 1000.0}, "",
                       "Largest gap, measured in the planes, between two planes to be merged."},
+            Parameter{"planes.merge-share", &PlaneParameters::mergeShare, Unit::None, Range{0.0, 1.0}, "",
+                      "A plane of whose segments this share belongs to a larger plane as well is merged into it."},
         };
     }
 };

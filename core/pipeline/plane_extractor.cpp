@@ -91,6 +91,7 @@ void PlaneExtractor::splitAndMerge(StepRecorder& recorder)  // Table VII
 {
     splitPlanes(map_, parameters_, recorder);
     mergePlanes(map_, parameters_, recorder);
+    absorbPlanes(map_, parameters_, recorder);
 }
 
 std::shared_ptr<const Snapshot> PlaneExtractor::makeSnapshot(StepReport report)

@@ -13,9 +13,15 @@ AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPla
                                     const AssignmentParameters& parameters)
 {
     AssignmentTest test;
-    test.distance = std::max(plane.distanceTo(segment.start), plane.distanceTo(segment.end));
+    const double start = plane.distanceTo(segment.start);
+    const double end = plane.distanceTo(segment.end);
+    const EndPoint farther =
+        start > end ? EndPoint{segment.start, segment.startCovariance} : EndPoint{segment.end, segment.endCovariance};
+    test.distance = std::max(start, end);
     test.orthogonality = std::abs(plane.normal().dot(segment.direction));
-    test.distanceLimit = parameters.planeDistance;
+    test.distanceLimit =
+        std::max(parameters.planeDistance,
+                 parameters.planeDistanceSigmas * std::sqrt(plane.normal().dot(farther.covariance * plane.normal())));
     test.orthogonalityLimit =
         std::max(std::sin(parameters.orthogonality), parameters.orthogonalitySigmas * segment.directionSigma);
     return test;

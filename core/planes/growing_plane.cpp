@@ -24,8 +24,9 @@ std::vector<EndPoint> endPointsOf(const std::vector<SegmentNumber>& segments, co
 
 GrowingPlane::GrowingPlane(PlaneId id, const PlaneFit& fit, std::vector<SegmentNumber> members,
                            const SegmentTable& table, const PlaneParameters& parameters, int step)
-    : id_(id), fit_(fit), bornStep_(step), changedStep_(step)
+    : id_(id), bornStep_(step), changedStep_(step)
 {
+    setFit(fit);
     extremes_.fill(table[members.front()].start);
     std::sort(members.begin(), members.end());
     for (const SegmentNumber segment : members)
@@ -51,6 +52,28 @@ void GrowingPlane::take(SegmentNumber segment, const SegmentTable& table, const 
         }
     }
     moments_ += added.moments;
+}
+
+void GrowingPlane::setFit(const PlaneFit& fit)
+{
+    fit_ = fit;
+    covariance_ = fit.information.inverse();
+    if (!covariance_.allFinite())
+        covariance_.setZero();
+}
+
+double GrowingPlane::varianceAt(const Eigen::Vector3d& point) const
+{
+    Eigen::Vector3d row;
+    row << fit_.tangents.transpose() * point, -1.0;
+    return row.dot(covariance_ * row);
+}
+
+double GrowingPlane::normalVariance() const
+{
+    // Larger eigenvalue of the 2 × 2 block of the tangent angles.
+    const double half = 0.5 * (covariance_(0, 0) - covariance_(1, 1));
+    return 0.5 * (covariance_(0, 0) + covariance_(1, 1)) + std::hypot(half, covariance_(0, 1));
 }
 
 void GrowingPlane::changed(int step)
@@ -91,8 +114,7 @@ void GrowingPlane::refit(const SegmentTable& table, const PlaneParameters& param
         refine(table, parameters, step);
         return;
     }
-    const PlaneFit refitted = fitPlane(sums_, fit_.normal);
-    fit_ = refitted;
+    setFit(fitPlane(sums_, fit_.normal));
     addedSinceRefit_ = 0;
     changed(step);
 }
@@ -100,7 +122,7 @@ void GrowingPlane::refit(const SegmentTable& table, const PlaneParameters& param
 void GrowingPlane::refine(const SegmentTable& table, const PlaneParameters& parameters, int step)
 {
     const std::vector<EndPoint> points = endPointsOf(members_, table);
-    fit_ = refinePlane(fit_, points, parameters);
+    setFit(refinePlane(fit_, points, parameters));
     sums_ = {};
     for (const EndPoint& point : points)
         sums_.add(point.position, endPointWeight(fit_.normal, point, parameters));
@@ -130,9 +152,7 @@ std::shared_ptr<const Plane> GrowingPlane::publish(const SegmentTable& table)
     makeCanonical(plane->normal, plane->distance);
     // Turning n and d round turns both tangent angles and d's error round: their covariance stays as it is.
     plane->tangents = fit_.tangents;
-    const Eigen::Matrix3d covariance = fit_.information.inverse();
-    if (covariance.allFinite())
-        plane->covariance = covariance;
+    plane->covariance = covariance_;
     plane->segments.reserve(members_.size());
     for (const SegmentNumber segment : members_)
         plane->segments.push_back(table[segment].id);

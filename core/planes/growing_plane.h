@@ -46,6 +46,10 @@ public:
     const Eigen::Vector3d& normal() const { return fit_.normal; }
     double distance() const { return fit_.distance; }
     double distanceTo(const Eigen::Vector3d& point) const { return std::abs(fit_.normal.dot(point) - fit_.distance); }
+    /// Variance of the plane's place at a point, along its normal [m²].
+    double varianceAt(const Eigen::Vector3d& point) const;
+    /// Largest variance of the normal's direction [rad²].
+    double normalVariance() const;
     /// E by the cost in force over the end points.
     double error() const { return fit_.error; }
     const WeightedSums& sums() const { return sums_; }
@@ -61,10 +65,12 @@ public:
 
 private:
     void take(SegmentNumber segment, const SegmentTable& table, const PlaneParameters& parameters);
+    void setFit(const PlaneFit& fit);
     void changed(int step);
 
     PlaneId id_;
     PlaneFit fit_;
+    Eigen::Matrix3d covariance_;  // inverse of fit_.information
     std::vector<SegmentNumber> members_;
     WeightedSums sums_;
     PointMoments moments_;

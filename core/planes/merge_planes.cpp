@@ -6,60 +6,28 @@
 #include <limits>
 #include <optional>
 
+#include "core/planes/neighbourhood.h"
 #include "core/planes/split_and_merge.h"
 
 namespace planewright {
 
 namespace {
 
-/// Slices that lie next to each other for the gap between two planes: one may be missing between them.
-constexpr int kNeighbourSlices = 2;
-
 /// Pairs are told as nearly merged up to this many times the merge distance.
 constexpr double kNearFactor = 2.0;
 
-double farthestEndPoint(const GrowingPlane& plane, const GrowingPlane& from, const SegmentTable& table)
+/// How far plane `to` is from plane `from` at an end point of the latter.
+PairDistance distanceAt(const Eigen::Vector3d& point, const GrowingPlane& from, const GrowingPlane& to,
+                        const PlaneParameters& parameters)
 {
-    double farthest = 0.0;
-    for (const SegmentNumber number : from.members())
-        farthest = std::max({farthest, plane.distanceTo(table[number].start), plane.distanceTo(table[number].end)});
-    return farthest;
+    const Eigen::Vector3d foot = point - (from.normal().dot(point) - from.distance()) * from.normal();
+    const double sigma = std::sqrt(from.varianceAt(foot) + to.varianceAt(foot));
+    return {to.distanceTo(foot), std::max(parameters.mergeDistance, parameters.mergeSigmas * sigma)};
 }
 
-/// A lower bound of Eq. (22) from six end points each.
-double leastPairDistance(const GrowingPlane& a, const GrowingPlane& b)
+bool worse(const PairDistance& a, const PairDistance& b)
 {
-    double farthest = 0.0;
-    for (const Eigen::Vector3d& point : b.extremes())
-        farthest = std::max(farthest, a.distanceTo(point));
-    for (const Eigen::Vector3d& point : a.extremes())
-        farthest = std::max(farthest, b.distanceTo(point));
-    return farthest;
-}
-
-/// Smallest distance between two segments in space.
-double segmentDistance(const LineSegment& a, const LineSegment& b)
-{
-    const Eigen::Vector3d alongA = a.end - a.start;
-    const Eigen::Vector3d alongB = b.end - b.start;
-    const Eigen::Vector3d between = a.start - b.start;
-    const double aa = alongA.squaredNorm();
-    const double bb = alongB.squaredNorm();
-    const double ab = alongA.dot(alongB);
-    const double ad = alongA.dot(between);
-    const double bd = alongB.dot(between);
-    const double denominator = aa * bb - ab * ab;
-    const double free = denominator > 1e-12 * aa * bb ? std::clamp((ab * bd - ad * bb) / denominator, 0.0, 1.0) : 0.0;
-    // The nearest point of b to that of a, then of a to that of b: exact unless both are clamped, then within a hair.
-    const double onB = std::clamp((ab * free + bd) / bb, 0.0, 1.0);
-    const double onA = std::clamp((ab * onB - ad) / aa, 0.0, 1.0);
-    return (between + onA * alongA - onB * alongB).norm();
-}
-
-bool faceEachOther(const LineSegment& a, const LineSegment& b)
-{
-    return std::abs(a.id.step - b.id.step) <= kNeighbourSlices && a.firstBeam <= b.lastBeam &&
-           b.firstBeam <= a.lastBeam;
+    return a.value * b.limit > b.value * a.limit;
 }
 
 /// The distance of two boxes around end points, a lower bound of the gap.
@@ -75,6 +43,23 @@ double boxDistance(const GrowingPlane& a, const GrowingPlane& b)
     return std::sqrt(squared);
 }
 
+/// True where a segment of one plane faces one of the other; both list their segments in order of step.
+bool anyFaceEachOther(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table)
+{
+    std::size_t low = 0;
+    for (const SegmentNumber i : a.members()) {
+        const int step = table[i].id.step;
+        while (low < b.members().size() && table[b.members()[low]].id.step < step - kNeighbourSlices)
+            ++low;
+        for (std::size_t j = low; j < b.members().size() && table[b.members()[j]].id.step <= step + kNeighbourSlices;
+             ++j) {
+            if (faceEachOther(table[i], table[b.members()[j]]))
+                return true;
+        }
+    }
+    return false;
+}
+
 struct Pair {
     PlaneId first = kNoPlane;
     PlaneId second = kNoPlane;
@@ -82,30 +67,34 @@ struct Pair {
     std::vector<Test> tests;
 };
 
-/// E of both planes' end points together, by the weights that they have.
-double errorTogether(const GrowingPlane& a, const GrowingPlane& b)
-{
-    WeightedSums sums = a.sums();
-    sums += b.sums();
-    return fitPlane(sums, a.normal()).error;
-}
-
 /// Compares two planes for merging; none where they are out of the question.
 std::optional<Pair> compare(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
                             const PlaneParameters& parameters)
 {
     const double alignment = std::abs(a.normal().dot(b.normal()));
-    const double alignmentLimit = std::cos(parameters.mergeAngle);
-    if (alignment <= alignmentLimit || leastPairDistance(a, b) >= kNearFactor * parameters.mergeDistance)
+    const double angleSigma = std::sqrt(a.normalVariance() + b.normalVariance());
+    const double alignmentLimit =
+        std::cos(std::clamp(parameters.mergeSigmas * angleSigma, parameters.mergeAngle, 4.0 * parameters.mergeAngle));
+    if (alignment <= alignmentLimit)
         return std::nullopt;
-    Pair pair{a.id(), b.id(), planePairDistance(a, b, table), {}};
-    if (pair.distance >= kNearFactor * parameters.mergeDistance)
+
+    WeightedSums sums = a.sums();
+    sums += b.sums();
+    const PlaneFit together = fitPlane(sums, a.normal());
+    const double errorA = a.sums().meanError(together.normal, together.distance);
+    const double errorB = b.sums().meanError(together.normal, together.distance);
+    const double error = std::max(errorA, errorB);
+    if (error > kNearFactor * parameters.errorLimit)
         return std::nullopt;
+    const auto offset = [&](const GrowingPlane& plane) {
+        return std::abs(together.normal.dot(plane.sums().first / plane.sums().weight) - together.distance);
+    };
+    Pair pair{a.id(), b.id(), std::max(offset(a), offset(b)), {}};
     pair.tests = {
         {"normal_alignment", alignment, Comparison::Greater, alignmentLimit},
         {"plane_distance", pair.distance, Comparison::Less, parameters.mergeDistance},
         {"in_plane_gap", inPlaneGap(a, b, table, parameters.mergeGap), Comparison::LessEqual, parameters.mergeGap},
-        {"fitting_error", errorTogether(a, b), Comparison::LessEqual, parameters.errorLimit}};
+        {"fitting_error", error, Comparison::LessEqual, parameters.errorLimit}};
     return pair;
 }
 
@@ -135,23 +124,35 @@ void merge(const Pair& pair, PlaneMap& map, const Parameters& parameters, StepRe
 
 }  // namespace
 
-double planePairDistance(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table)
+PairDistance planePairDistance(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
+                               const PlaneParameters& parameters)
 {
-    return std::max(farthestEndPoint(a, b, table), farthestEndPoint(b, a, table));
+    PairDistance worst = distanceAt(table[a.members().front()].start, a, b, parameters);
+    const auto look = [&](const GrowingPlane& from, const GrowingPlane& to) {
+        for (const SegmentNumber number : from.members()) {
+            for (const Eigen::Vector3d& point : {table[number].start, table[number].end}) {
+                const PairDistance here = distanceAt(point, from, to, parameters);
+                if (worse(here, worst))
+                    worst = here;
+            }
+        }
+    };
+    look(a, b);
+    look(b, a);
+    return worst;
 }
 
 double inPlaneGap(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table, double enough)
 {
+    if (anyFaceEachOther(a, b, table))
+        return 0.0;
     double gap = boxDistance(a, b);
     if (gap > enough)
         return gap;
     gap = std::numeric_limits<double>::infinity();
     for (const SegmentNumber i : a.members()) {
-        for (const SegmentNumber j : b.members()) {
-            if (faceEachOther(table[i], table[j]))
-                return 0.0;
+        for (const SegmentNumber j : b.members())
             gap = std::min(gap, segmentDistance(table[i], table[j]));
-        }
     }
     return gap;
 }

@@ -11,6 +11,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/planes/growing_plane.h"
+#include "core/planes/neighbourhood.h"
 
 namespace planewright {
 
@@ -61,7 +62,8 @@ public:
         found.fit.normal = hypothesis.normal;
         found.fit.distance = hypothesis.distance;
         for (int round = 0; round < kSupportRounds; ++round) {
-            std::vector<std::size_t> now = supportOf(found.fit.normal, found.fit.distance);
+            std::vector<std::size_t> now =
+                connectedTo(hypothesis.seed, supportOf(found.fit.normal, found.fit.distance));
             if (now == support || now.size() < 3)
                 break;
             support = std::move(now);
@@ -117,38 +119,101 @@ private:
         }
         const PlaneFit fit = fitPlane(sums, Eigen::Vector3d::UnitZ());
         for (const std::size_t i : *triple) {
-            if (farther(*segments_[i], fit.normal, fit.distance) >= parameters_.inlierDistance)
+            if (!supports(*segments_[i], fit.normal, fit.distance))
                 return std::nullopt;
         }
         return Hypothesis{costOf(fit.normal, fit.distance), seed, fit.normal, fit.distance};
     }
 
-    /// Eq. (14) over both end points of all candidates.
+    /// Squared distance of an end point and T² of Eq. (14), which far points with much noise get more of.
+    struct Deviation {
+        double squared = 0.0;
+        double limit = 0.0;
+
+        bool inside() const { return squared < limit; }
+    };
+    Deviation deviationOf(const Eigen::Vector3d& point, const Eigen::Matrix3d& covariance,
+                          const Eigen::Vector3d& normal, double distance) const
+    {
+        const double residual = normal.dot(point) - distance;
+        const double fixed = parameters_.inlierDistance * parameters_.inlierDistance;
+        const double squared = residual * residual;
+        const double sigmas = parameters_.inlierSigmas * parameters_.inlierSigmas;
+        return {squared, std::max(fixed, sigmas * normal.dot(covariance * normal))};
+    }
+
+    /// Eq. (14) over both end points of all candidates, in units of T².
     double costOf(const Eigen::Vector3d& normal, double distance) const
     {
-        const double limit = parameters_.inlierDistance * parameters_.inlierDistance;
         double cost = 0.0;
         for (const LineSegment* segment : segments_) {
-            const double start = normal.dot(segment->start) - distance;
-            const double end = normal.dot(segment->end) - distance;
-            cost += std::min(start * start, limit) + std::min(end * end, limit);
+            const Deviation start = deviationOf(segment->start, segment->startCovariance, normal, distance);
+            const Deviation end = deviationOf(segment->end, segment->endCovariance, normal, distance);
+            cost +=
+                (start.inside() ? start.squared / start.limit : 1.0) + (end.inside() ? end.squared / end.limit : 1.0);
         }
         return cost;
     }
 
-    static double farther(const LineSegment& segment, const Eigen::Vector3d& normal, double distance)
+    bool supports(const LineSegment& segment, const Eigen::Vector3d& normal, double distance) const
     {
-        return std::max(std::abs(normal.dot(segment.start) - distance), std::abs(normal.dot(segment.end) - distance));
+        return deviationOf(segment.start, segment.startCovariance, normal, distance).inside() &&
+               deviationOf(segment.end, segment.endCovariance, normal, distance).inside();
     }
 
     std::vector<std::size_t> supportOf(const Eigen::Vector3d& normal, double distance) const
     {
         std::vector<std::size_t> support;
         for (std::size_t i = 0; i < segments_.size(); ++i) {
-            if (farther(*segments_[i], normal, distance) < parameters_.inlierDistance)
+            if (supports(*segments_[i], normal, distance))
                 support.push_back(i);
         }
         return support;
+    }
+
+    /// The part of a support that hangs together with the seed, from neighbour to neighbour: segments far apart that
+    /// lie in one plane by chance support nothing.
+    std::vector<std::size_t> connectedTo(std::size_t seed, const std::vector<std::size_t>& support) const
+    {
+        std::vector<std::size_t> order = support;
+        std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+            return segments_[a]->id.step < segments_[b]->id.step;
+        });
+        std::vector<char> reached(order.size(), 0);
+        std::vector<std::size_t> open;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (order[i] == seed) {
+                reached[i] = 1;
+                open.push_back(i);
+            }
+        }
+        const auto visit = [&](std::size_t from, std::size_t to) {
+            if (reached[to] == 0 && areNeighbours(*segments_[order[from]], *segments_[order[to]])) {
+                reached[to] = 1;
+                open.push_back(to);
+            }
+        };
+        const auto stepOf = [&](std::size_t i) { return segments_[order[i]]->id.step; };
+        while (!open.empty()) {
+            const std::size_t here = open.back();
+            open.pop_back();
+            for (std::size_t i = here; i-- > 0 && stepOf(here) - stepOf(i) <= kNeighbourSlices;)
+                visit(here, i);
+            for (std::size_t i = here + 1; i < order.size() && stepOf(i) - stepOf(here) <= kNeighbourSlices; ++i)
+                visit(here, i);
+        }
+        std::vector<std::size_t> connected;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (reached[i] != 0)
+                connected.push_back(order[i]);
+        }
+        std::sort(connected.begin(), connected.end());
+        return connected;
+    }
+
+    bool areNeighbours(const LineSegment& a, const LineSegment& b) const
+    {
+        return faceEachOther(a, b) || segmentDistance(a, b) <= parameters_.mergeGap;
     }
 
     /// The shorter extent of the end points in their plane, along their principal axes [m].

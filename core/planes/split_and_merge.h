@@ -13,8 +13,19 @@ namespace planewright {
 /// ids of their own, and segments in none of them are clustered again.
 void splitPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
 
-/// δ_Π of Eq. (22) [m]: the largest distance of an end point of one plane to the other plane, both ways.
-double planePairDistance(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table);
+/// δ_Π of Eq. (22) [m] and what it may be where it was found.
+struct PairDistance {
+    double value = 0.0;
+    double limit = 0.0;
+};
+
+/// Distance of two planes, Eq. (22): over the end points of each, how far the other plane is from this one there.
+///
+/// Of all end points the one counts that exceeds its limit most, in proportion. An end point stands for its foot on its
+/// own plane: the raw ones stray from it by more than the distances in question. Where either plane is not known well,
+/// the limit is as many of its standard deviations as `planes.merge-sigmas` says.
+PairDistance planePairDistance(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
+                               const PlaneParameters& parameters);
 
 /// Gap between the segments of two planes [m], as far as it matters: the smallest distance between a segment of one and
 /// a segment of the other, 0 where two lie in neighbouring slices and face each other; at most `enough` is looked for.
@@ -23,5 +34,13 @@ double inPlaneGap(const GrowingPlane& a, const GrowingPlane& b, const SegmentTab
 /// Merges planes that are one (section 4.4, Table VII lines 9 to 13): the pair with the smallest distance first, as
 /// long as a pair passes Eq. (21), Eq. (22) with its limit, the gap, and the fitting error of both together.
 void mergePlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// Dissolves planes into larger ones that cover them: where at least `planes.merge-share` of a plane's segments pass
+/// the assignment test, Eq. (8), with a larger plane within the gap, they go to that plane, and the others to the
+/// clusters.
+///
+/// A plane that began with few, short or far segments may stand at an angle that Eq. (21) never lets pass, while its
+/// segments lie on a wall that is known well by now.
+void absorbPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
 
 }  // namespace planewright

@@ -50,9 +50,19 @@ PointMoments momentsOf(const SlicePoints& points, const PointRun& piece, double 
     return moments;
 }
 
-LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const ScanSlice& slice, const SensorModel& sensor,
-                    const NoiseParameters& noise)
+/// True where the neighbour of an end point is an echo nearer by more than the gap of one surface.
+bool isShadowed(const SlicePoints& points, int beam, int neighbour, double bearingStep, const Parameters& parameters)
 {
+    if (neighbour < 0 || neighbour >= points.beams() || !points.hasEcho(neighbour))
+        return false;
+    const double gap = breakpointDistance(points.range(beam), bearingStep, parameters.segments, parameters.noise);
+    return points.range(beam) - points.range(neighbour) > gap;
+}
+
+LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const ScanSlice& slice, const SensorModel& sensor,
+                    const Parameters& parameters)
+{
+    const NoiseParameters& noise = parameters.noise;
     const auto first = static_cast<std::size_t>(piece.first);
     const auto last = static_cast<std::size_t>(piece.last);
     const SliceLine line = points.lineThrough(piece);
@@ -68,6 +78,8 @@ LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const Scan
         cartesianCovariance(slice.ranges[first], slice.bearing(first), slice.tiltAt(first), sensor, noise);
     segment.endCovariance =
         cartesianCovariance(slice.ranges[last], slice.bearing(last), slice.tiltAt(last), sensor, noise);
+    segment.startShadowed = isShadowed(points, piece.first, piece.first - 1, slice.bearingStep, parameters);
+    segment.endShadowed = isShadowed(points, piece.last, piece.last + 1, slice.bearingStep, parameters);
     segment.directionSigma = std::sqrt(points.varianceAcross(piece.first, line.normal()) +
                                        points.varianceAcross(piece.last, line.normal())) /
                              segment.length();
@@ -91,7 +103,7 @@ Segments LineSegmentExtractor::extract(const ScanSlice& slice, const SensorModel
     for (const PointRun& piece : pieces_) {
         if (!isAvailable(points_, piece, parameters.segments))
             continue;
-        segments.push_back(inSpace(points_, piece, slice, sensor, parameters.noise));
+        segments.push_back(inSpace(points_, piece, slice, sensor, parameters));
         segments.back().id = {slice.step, static_cast<int>(segments.size()) - 1};
     }
     return segments;
