@@ -102,7 +102,7 @@ std::optional<CsvRecord> nextCsvRecord(TextLines& lines, std::size_t longestReco
         const auto line = lines.next();
         if (!line) {
             if (splitter.isOpen() && lines.problem().empty())
-                problem = "a quote is opened here and never closed; close it";
+                problem = "a quote is opened and never closed; close it";
             return std::nullopt;
         }
         firstLine = firstLine == 0 ? lines.number() : firstLine;
