@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/types/error.h"
+
+namespace planewright {
+
+/// One line on stderr, `planewright-cli: …`; control characters of foreign texts become '?'.
+void printError(std::string_view message);
+
+/// One line on stderr, `planewright-cli: warning: …`.
+void printWarning(std::string_view message);
+
+/// Writes to standard output and flushes it. Errors: NotWritten.
+Result<void> print(std::string_view text);
+
+}  // namespace planewright

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "app/cli/extraction_run.h"
+#include "app/cli/file_kind.h"
+#include "app/cli/number_option.h"
+#include "app/cli/output_files.h"
+#include "app/cli/parameter_options.h"
+#include "app/cli/plane_table.h"
+#include "app/cli/recording_file.h"
+#include "core/formats/history.h"
+#include "core/formats/labels.h"
+#include "core/formats/planes_csv.h"
+#include "core/formats/planes_json.h"
+#include "core/formats/planes_mesh.h"
+#include "core/formats/points_files.h"
+#include "core/formats/segments_files.h"
+
+namespace planewright {
+
+namespace {
+
+struct ExtractOptions {
+    std::string input;
+    int until = -1;  ///< all steps
+    std::vector<std::string> planes;
+    std::string segments, points, labels, history, stats;
+    bool historyTimes = false;
+    int repeats = 1;
+    bool overwrite = false;
+    ParameterOptions parameters;
+};
+
+/// All that the outputs are written from.
+struct Extraction {
+    Recording recording;
+    Parameters parameters;
+    ExtractionResult result;
+    std::vector<PlaneResult> planes;
+    Labels labels;  ///< only where an output needs them
+};
+
+using Writer = std::function<Result<void>(std::ostream&, const Extraction&)>;
+
+/// An opened output and what goes there.
+struct PlannedOutput {
+    OutputFile* file = nullptr;
+    Writer writer;
+};
+
+Writer planesWriter(std::string_view suffix)
+{
+    if (suffix == ".json")
+        return [](std::ostream& out, const Extraction& e) {
+            return writePlanesJson(out, e.planes, e.parameters, "planewright " PLANEWRIGHT_VERSION);
+        };
+    if (suffix == ".ply")
+        return [](std::ostream& out, const Extraction& e) { return writePlanesPly(out, e.planes); };
+    if (suffix == ".obj")
+        return [](std::ostream& out, const Extraction& e) { return writePlanesObj(out, e.planes); };
+    return [](std::ostream& out, const Extraction& e) { return writePlanesCsv(out, e.planes); };
+}
+
+Writer segmentsWriter(std::string_view suffix)
+{
+    if (suffix == ".ply")
+        return [](std::ostream& out, const Extraction& e) { return writeSegmentsPly(out, *e.result.snapshot); };
+    return [](std::ostream& out, const Extraction& e) { return writeSegmentsCsv(out, *e.result.snapshot); };
+}
+
+Writer pointsWriter(std::string_view suffix)
+{
+    if (suffix == ".pcd")
+        return [](std::ostream& out, const Extraction& e) { return writePointsPcd(out, e.recording, e.labels); };
+    return [](std::ostream& out, const Extraction& e) { return writePointsPly(out, e.recording, e.labels); };
+}
+
+/// Opens outputs one by one and remembers the first failure.
+class OutputPlan {
+public:
+    explicit OutputPlan(OutputFiles& files) : files_(files) {}
+
+    void add(const std::string& path, const Writer& writer)
+    {
+        if (path.empty() || !problem_)
+            return;
+        const auto file = files_.open(path);
+        if (file)
+            outputs_.push_back({*file, writer});
+        else
+            problem_ = tl::unexpected{file.error()};
+    }
+
+    template <class WriterOf>
+    void add(const std::string& path, std::initializer_list<std::string_view> suffixes, std::string_view what,
+             WriterOf writerOf)
+    {
+        if (path.empty() || !problem_)
+            return;
+        const auto suffix = suffixOf(path, suffixes, what);
+        if (suffix)
+            add(path, writerOf(*suffix));
+        else
+            problem_ = tl::unexpected{suffix.error()};
+    }
+
+    const Result<void>& problem() const { return problem_; }
+    const std::vector<PlannedOutput>& outputs() const { return outputs_; }
+
+private:
+    OutputFiles& files_;
+    Result<void> problem_;
+    std::vector<PlannedOutput> outputs_;
+};
+
+Result<void> keepUntil(Recording& recording, int until)
+{
+    if (until < 0)
+        return {};
+    if (!recording.slices.empty() && recording.slices.front().step > until)
+        return fail(ErrorCode::Usage, "--until: the recording begins with step " +
+                                          std::to_string(recording.slices.front().step) + ", give that or a later one");
+    std::erase_if(recording.slices, [&](const ScanSlice& slice) { return slice.step > until; });
+    return {};
+}
+
+Result<ExitCode> extract(const ExtractOptions& options)
+{
+    OutputFiles files{options.overwrite};
+    files.protect(options.input);
+    OutputPlan plan{files};
+    for (const std::string& path : options.planes)
+        plan.add(path, {".csv", ".json", ".ply", ".obj"}, "the planes", planesWriter);
+    plan.add(options.segments, {".csv", ".ply"}, "the segments", segmentsWriter);
+    plan.add(options.points, {".ply", ".pcd"}, "the points", pointsWriter);
+    plan.add(options.labels, [](std::ostream& out, const Extraction& e) { return writeLabels(out, e.labels); });
+    plan.add(options.stats, [](std::ostream& out, const Extraction& e) { return writeStats(out, e.result.stats); });
+    if (!plan.problem())
+        return tl::unexpected{plan.problem().error()};
+    OutputFile* history = nullptr;
+    if (!options.history.empty()) {
+        const auto file = files.open(options.history);
+        if (!file)
+            return tl::unexpected{file.error()};
+        history = *file;
+    }
+
+    Result<ReadRecording> input = readRecordingFile(options.input);
+    if (!input)
+        return tl::unexpected{input.error()};
+    Extraction extraction;
+    extraction.recording = std::move(input->recording);
+    if (const auto kept = keepUntil(extraction.recording, options.until); !kept)
+        return tl::unexpected{kept.error()};
+    const auto parameters = parametersInForce(options.parameters, extraction.recording.description.scanner);
+    if (!parameters)
+        return tl::unexpected{parameters.error()};
+    extraction.parameters = *parameters;
+
+    ExtractionPlan work{options.repeats, {}};
+    if (history != nullptr) {
+        const auto begun = history->write([&](std::ostream& out) { return writeHistoryHeader(out, *parameters); });
+        if (!begun)
+            return tl::unexpected{begun.error()};
+        work.onReport = [&](const StepReport& report) {
+            return history->write(
+                [&](std::ostream& out) { return writeHistoryLine(out, report, options.historyTimes); });
+        };
+    }
+    auto result = runExtraction(extraction.recording, extraction.parameters, work);
+    if (!result)
+        return tl::unexpected{result.error()};
+    extraction.result = std::move(*result);
+    extraction.planes = planeResults(*extraction.result.snapshot);
+    if (!options.labels.empty() || !options.points.empty())
+        extraction.labels = labelsOf(*extraction.result.snapshot, extraction.recording);
+
+    for (const PlannedOutput& output : plan.outputs()) {
+        const auto written = output.file->write([&](std::ostream& out) { return output.writer(out, extraction); });
+        if (!written)
+            return tl::unexpected{written.error()};
+    }
+    const auto done = files.empty() ? print(planeTable(extraction.planes)) : files.publish();
+    if (!done)
+        return tl::unexpected{done.error()};
+    return input->damaged ? ExitCode::Damaged : ExitCode::Done;
+}
+
+}  // namespace
+
+void addExtractCommand(CLI::App& program, Command& chosen)
+{
+    CLI::App& command = *program.add_subcommand("extract", "planes from a recording");
+    auto options = std::make_shared<ExtractOptions>();
+    command.add_option("INPUT", options->input, "recording (.csv or .csv.gz)")->required();
+    command
+        .add_option("--planes", options->planes,
+                    "planes as .csv, .json, .ply or .obj, repeatable; without any output a table is printed")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    command.add_option("--segments", options->segments, "line segments as .csv or .ply")->type_name("FILE");
+    command.add_option("--points", options->points, "points with their planes as .ply or .pcd")->type_name("FILE");
+    command.add_option("--labels", options->labels, "plane of every beam, a line per slice")->type_name("FILE");
+    command.add_option("--history", options->history, "every decision of every step (NDJSON)")->type_name("FILE");
+    command.add_flag("--history-times", options->historyTimes, "with the time of each phase in the history");
+    command.add_option("--stats", options->stats, "counts and times (JSON)")->type_name("FILE");
+    addWholeNumber(command, "--until", options->until, 0, kMaxStep,
+                   "last step to use (counted from 0), as if the scan had ended there");
+    addWholeNumber(command, "--repeat", options->repeats, 1, 10000, "runs; times are medians over them");
+    command.add_flag("--overwrite", options->overwrite, "replace output files that exist");
+    addParameterOptions(command, options->parameters);
+    command.callback([options, &chosen] { chosen = [options] { return extract(*options); }; });
+}
+
+}  // namespace planewright

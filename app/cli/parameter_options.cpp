@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/cli/parameter_options.h"
+
+#include <cstdlib>
+#include <sys/stat.h>
+
+#include "app/cli/console.h"
+#include "app/cli/input_file.h"
+#include "app/cli/text.h"
+#include "core/formats/preset_file.h"
+#include "core/params/presets.h"
+#include "core/params/registry.h"
+
+namespace planewright {
+
+namespace {
+
+bool exists(const std::string& path)
+{
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0;
+}
+
+/// Where the user keeps a preset of this name.
+std::string ownPreset(const std::string& name)
+{
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    const std::string base = config != nullptr && *config == '/' ? std::string{config}
+                             : home != nullptr                   ? std::string{home} + "/.config"
+                                                                 : std::string{};
+    return base + "/planewright/presets/" + name + ".json";
+}
+
+std::vector<std::string_view> namesOf(const std::vector<Preset>& presets)
+{
+    std::vector<std::string_view> names;
+    for (const Preset& preset : presets)
+        names.push_back(preset.name);
+    return names;
+}
+
+Result<void> applyNamed(const std::string& name, const std::vector<Preset>& known, const std::string& option,
+                        Parameters& parameters)
+{
+    if (const Preset* preset = findPreset(known, name)) {
+        apply(*preset, parameters);
+        return {};
+    }
+    const bool isName = name.find('/') == std::string::npos;
+    const std::string path = isName && exists(ownPreset(name)) ? ownPreset(name) : name;
+    if (!exists(path))
+        return fail(ErrorCode::Usage,
+                    option + ": '" + name + "' is neither a known name (" + joined(namesOf(known)) + ") nor a file");
+    const auto input = openInput(path);
+    if (!input)
+        return tl::unexpected{input.error()};
+    return readPresetFile(**input, path, parameters);
+}
+
+}  // namespace
+
+void addParameterOptions(CLI::App& command, ParameterOptions& options)
+{
+    command.add_option("--preset", options.preset, "method: " + joined(namesOf(methodPresets())) + " or a preset file")
+        ->type_name("NAME|FILE")
+        ->capture_default_str();
+    command
+        .add_option("--sensor", options.sensor,
+                    "noise of the scanner: " + joined(namesOf(sensorPresets())) +
+                        " or a file (default: by the scanner that the recording names)")
+        ->type_name("NAME|FILE");
+    command.add_option("-P", options.assignments, "sets one parameter, repeatable; 'planewright-cli params' lists all")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+Result<Parameters> parametersInForce(const ParameterOptions& options, std::string_view scanner)
+{
+    Parameters parameters;
+    if (const auto done = applyNamed(options.preset, methodPresets(), "--preset", parameters); !done)
+        return tl::unexpected{done.error()};
+    if (!options.sensor.empty()) {
+        if (const auto done = applyNamed(options.sensor, sensorPresets(), "--sensor", parameters); !done)
+            return tl::unexpected{done.error()};
+    } else if (const Preset* sensor = sensorOfScanner(scanner)) {
+        apply(*sensor, parameters);
+    } else if (!scanner.empty()) {
+        printWarning("the recording's scanner '" + std::string{scanner} +
+                     "' is not known; the noise of the preset is used, give --sensor (" +
+                     joined(namesOf(sensorPresets())) + " or a file)");
+    }
+    for (const std::string& assignment : options.assignments) {
+        if (const auto done = setParameter(parameters, assignment); !done)
+            return fail(done.error().code, "-P: " + done.error().message);
+    }
+    return parameters;
+}
+
+}  // namespace planewright

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/angle_range.h"
+#include "app/cli/commands.h"
+#include "app/cli/file_kind.h"
+#include "app/cli/number_option.h"
+#include "app/cli/output_files.h"
+#include "app/cli/progress.h"
+#include "app/cli/text.h"
+#include "core/formats/labels.h"
+#include "core/formats/planes_csv.h"
+#include "core/formats/recording_csv.h"
+#include "core/simulation/nodding_scanner.h"
+
+namespace planewright {
+
+namespace {
+
+struct SimulateOptions {
+    std::string scene;
+    std::string output, truth, truthLabels;
+    std::uint64_t seed = 1;
+    std::string noise = "default";
+    double dropout = -1.0;  ///< the profile's
+    std::string tilt, bearing;
+    int slices = 0;  ///< as --tilt says
+    bool overwrite = false;
+};
+
+Result<AcquisitionSettings> settingsOf(const SimulateOptions& options)
+{
+    AcquisitionSettings settings;  // Table VIII
+    if (!options.tilt.empty()) {
+        const auto most = options.slices > 0 ? std::nullopt : std::optional{kMaxSlices};
+        const auto range = parseAngleRange("--tilt", options.tilt, RangeEnd::Open, most);
+        if (!range)
+            return tl::unexpected{range.error()};
+        settings.firstTilt = range->first;
+        settings.tiltStep = range->step;
+        settings.slices = range->count;
+    }
+    if (options.slices > 0)
+        settings.slices = options.slices;
+    if (!options.bearing.empty()) {
+        const auto range = parseAngleRange("--bearing", options.bearing, RangeEnd::Closed, kMaxBeams);
+        if (!range)
+            return tl::unexpected{range.error()};
+        if (range->step < 0.0)
+            return fail(ErrorCode::Usage, "--bearing: '" + options.bearing + "' goes down; bearings rise from beam 0");
+        settings.firstBearing = range->first;
+        settings.bearingStep = range->step;
+        settings.beams = range->count;
+    }
+    const double lastTilt = settings.firstTilt + settings.tiltStep * (settings.slices - 1);
+    if (std::abs(lastTilt) > degrees(360.0))
+        return fail(ErrorCode::Usage, "--slices: the last of so many slices tilts beyond 360 degrees; give fewer");
+    if (static_cast<std::size_t>(settings.slices) * static_cast<std::size_t>(settings.beams) > kMaxRanges)
+        return fail(ErrorCode::Usage, "--tilt, --slices and --bearing give more than " + std::to_string(kMaxRanges) +
+                                          " points; give fewer");
+    return settings;
+}
+
+Result<SimulationNoise> noiseOf(const SimulateOptions& options)
+{
+    Result<SimulationNoise> noise = simulationNoise(options.noise);
+    if (noise && options.dropout >= 0.0)
+        noise->dropout = options.dropout / 100.0;
+    return noise;
+}
+
+SimulatedScan scan(const Scene& scene, const AcquisitionSettings& settings, const SimulationNoise& noise,
+                   std::uint64_t seed)
+{
+    SimulatedScan scan{{describeScan(settings), {}}, {}};
+    Progress progress("simulating, slice");
+    for (int step = 0; step < settings.slices; ++step) {
+        SimulatedSlice slice = simulateSlice(scene, settings, noise, seed, step);
+        scan.recording.slices.push_back(std::move(slice.slice));
+        scan.labels.push_back(std::move(slice.labels));
+        progress.show(static_cast<std::size_t>(step) + 1, static_cast<std::size_t>(settings.slices));
+    }
+    return scan;
+}
+
+std::vector<PlaneResult> truthOf(const Scene& scene, const SimulatedScan& scan)
+{
+    std::map<int, int> returns;
+    for (const std::vector<int>& labels : scan.labels) {
+        for (const int label : labels)
+            ++returns[label];
+    }
+    std::vector<PlaneResult> planes;
+    for (const TruePlane& plane : scene.planes)
+        planes.push_back(knownPlane(plane.id, plane.name, plane.normal, plane.distance, returns[plane.id]));
+    return planes;
+}
+
+Result<ExitCode> simulateScene(const SimulateOptions& options)
+{
+    const Result<Scene> scene = makeScene(options.scene, options.seed);
+    if (!scene)
+        return tl::unexpected{scene.error()};
+    const Result<SimulationNoise> noise = noiseOf(options);
+    if (!noise)
+        return tl::unexpected{noise.error()};
+    const Result<AcquisitionSettings> settings = settingsOf(options);
+    if (!settings)
+        return tl::unexpected{settings.error()};
+    const auto suffix = suffixOf(options.output, kRecordingSuffixes, "the recording");
+    if (!suffix)
+        return tl::unexpected{suffix.error()};
+    if (!options.truth.empty()) {
+        if (const auto csv = suffixOf(options.truth, {".csv"}, "the true planes"); !csv)
+            return tl::unexpected{csv.error()};
+    }
+
+    OutputFiles files{options.overwrite};
+    std::vector<OutputFile*> outputs;
+    for (const std::string* path : {&options.output, &options.truth, &options.truthLabels}) {
+        if (path->empty()) {
+            outputs.push_back(nullptr);
+            continue;
+        }
+        const auto file = files.open(*path);
+        if (!file)
+            return tl::unexpected{file.error()};
+        outputs.push_back(*file);
+    }
+
+    const SimulatedScan scanned = scan(*scene, *settings, *noise, options.seed);
+    Result<void> written = outputs[0]->write(
+        [&](std::ostream& out) { return writeRecordingCsv(out, scanned.recording, *suffix == ".csv.gz"); });
+    if (written && outputs[1] != nullptr)
+        written = outputs[1]->write([&](std::ostream& out) { return writePlanesCsv(out, truthOf(*scene, scanned)); });
+    if (written && outputs[2] != nullptr)
+        written = outputs[2]->write([&](std::ostream& out) { return writeLabels(out, scanned.labels); });
+    if (written)
+        written = files.publish();
+    if (!written)
+        return tl::unexpected{written.error()};
+    return ExitCode::Done;
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& program, Command& chosen)
+{
+    CLI::App& command = *program.add_subcommand("simulate", "a recording of a room whose planes are known");
+    auto options = std::make_shared<SimulateOptions>();
+    command.add_option("SCENE", options->scene, joined(sceneNames()))->required();
+    command.add_option("-o", options->output, "recording to write (.csv or .csv.gz)")->type_name("FILE")->required();
+    command.add_option("--truth", options->truth, "the true planes as .csv")->type_name("FILE");
+    command
+        .add_option("--truth-labels", options->truthLabels,
+                    "true plane of every beam: -1 none, -2 a surface that is no plane")
+        ->type_name("FILE");
+    addWholeNumber(command, "--seed", options->seed, std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(),
+                   "number that room and noise come from (default 1)");
+    command.add_option("--noise", options->noise, joined(simulationNoiseNames()))
+        ->type_name("PROFILE")
+        ->capture_default_str();
+    addNumber(command, "--dropout", options->dropout, 0.0, 100.0, "returns lost, in percent (default: the profile's)");
+    command.add_option("--tilt", options->tilt, "pitch of the slices in degrees (default 10:170:1.16, 137 slices)")
+        ->type_name("A:B:STEP");
+    addWholeNumber(command, "--slices", options->slices, 1, kMaxSlices, "number of slices, whatever --tilt says");
+    command.add_option("--bearing", options->bearing, "bearings in degrees (default 0:180:0.25, 721 beams)")
+        ->type_name("A:B:STEP");
+    command.add_flag("--overwrite", options->overwrite, "replace output files that exist");
+    command.callback([options, &chosen] { chosen = [options] { return simulateScene(*options); }; });
+}
+
+}  // namespace planewright

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "app/cli/file_kind.h"
+#include "app/cli/input_file.h"
+#include "app/cli/json_text.h"
+#include "core/formats/recording_csv.h"
+
+namespace planewright {
+
+namespace {
+
+/// What is to say about one file.
+struct Verdict {
+    ExitCode code = ExitCode::Done;
+    RecordingProblems found;
+};
+
+Result<Verdict> judge(const std::string& path)
+{
+    if (const auto suffix = suffixOf(path, kRecordingSuffixes, "a recording"); !suffix)
+        return tl::unexpected{suffix.error()};
+    const auto input = openInput(path);
+    if (!input)
+        return Verdict{ExitCode::Unreadable, {{input.error().message}, 0, {}, false}};
+    Verdict verdict{ExitCode::Done, recordingProblems(**input, path)};
+    if (!verdict.found.problems.empty())
+        verdict.code = ExitCode::Unreadable;
+    else if (verdict.found.damaged)
+        verdict.code = ExitCode::Damaged;
+    return verdict;
+}
+
+std::string_view wordFor(ExitCode code)
+{
+    return code == ExitCode::Done ? "valid" : code == ExitCode::Damaged ? "damaged" : "malformed";
+}
+
+std::string describe(const std::string& path, const Verdict& verdict)
+{
+    std::string text;
+    for (const std::string& problem : verdict.found.problems)
+        text += problem + "\n";
+    if (verdict.found.more > 0)
+        text += path + ": " + std::to_string(verdict.found.more) + " more problems\n";
+    for (const std::string& warning : verdict.found.warnings)
+        text += "warning: " + warning + "\n";
+    return text + path + ": " + std::string{wordFor(verdict.code)} + "\n";
+}
+
+Result<ExitCode> validate(const std::vector<std::string>& paths, bool asJson)
+{
+    ExitCode worst = ExitCode::Done;
+    Json all = Json::array();
+    std::string text;
+    for (const std::string& path : paths) {
+        const Result<Verdict> verdict = judge(path);
+        if (!verdict)
+            return tl::unexpected{verdict.error()};
+        all.push_back({{"file", path},
+                       {"verdict", wordFor(verdict->code)},
+                       {"problems", verdict->found.problems},
+                       {"more_problems", verdict->found.more},
+                       {"warnings", verdict->found.warnings}});
+        text += describe(path, *verdict);
+        // A malformed file cannot be used at all, a damaged one in part.
+        if (worst != ExitCode::Unreadable && verdict->code != ExitCode::Done)
+            worst = verdict->code;
+    }
+    if (const auto printed = print(asJson ? jsonText(all) : text); !printed)
+        return tl::unexpected{printed.error()};
+    return worst;
+}
+
+}  // namespace
+
+void addValidateCommand(CLI::App& program, Command& chosen)
+{
+    struct ValidateOptions {
+        std::vector<std::string> paths;
+        bool json = false;
+    };
+    CLI::App& command = *program.add_subcommand("validate", "every problem that recordings have");
+    auto options = std::make_shared<ValidateOptions>();
+    command.add_option("FILE", options->paths, "recordings (.csv or .csv.gz)")->required();
+    command.add_flag("--json", options->json, "as JSON");
+    command.callback([options, &chosen] { chosen = [options] { return validate(options->paths, options->json); }; });
+}
+
+}  // namespace planewright
