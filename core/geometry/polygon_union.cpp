@@ -6,9 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
+#include <utility>
 
+#include <Eigen/Geometry>
 #include <polyclipping/clipper.hpp>
+
+#include "core/geometry/simplify_ring.h"
 
 namespace planewright {
 namespace {
@@ -24,8 +29,8 @@ constexpr double kGridLimit = 5e8;      // below ClipperLib::loRange, where it c
 constexpr double kCrack = 0.02;         // half the width of cracks that are closed [m]
 constexpr double kSmallestHole = 1e-2;  // [m²]
 constexpr double kSmallestPart = 1e-3;  // [m²]
-constexpr double kCollinear = 2e-5;     // a vertex this near to the line of its neighbours is left out [m]
-constexpr std::size_t kUnitedAtOnce = 8;
+constexpr double kCorner = 1e-3;        // a vertex this near to the line of its neighbours is no corner [m]
+constexpr std::size_t kUnitedAtOnce = 32;
 
 /// The grid on which Clipper computes.
 struct Grid {
@@ -61,8 +66,58 @@ struct Grid {
     }
 };
 
-/// The union of paths that follow each other: halves first, because Clipper slows down with the square of the paths
-/// that lie side by side, and neighbours melt into few edges.
+using Box = Eigen::AlignedBox2d;
+using Group = std::vector<std::size_t>;
+
+/// Cuts a group of boxes where a gap wider than the margin goes through it across an axis.
+std::vector<Group> cutAcross(Group group, int axis, const std::vector<Box>& boxes, double margin)
+{
+    std::ranges::stable_sort(group, {}, [&](std::size_t i) { return boxes[i].min()[axis]; });
+    std::vector<Group> pieces;
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const std::size_t i : group) {
+        if (pieces.empty() || boxes[i].min()[axis] > reach + margin)
+            pieces.emplace_back();
+        pieces.back().push_back(i);
+        reach = std::max(reach, boxes[i].max()[axis]);
+    }
+    return pieces;
+}
+
+/// Groups of rings that lie apart. Clipper slows down with the square of what lies side by side.
+std::vector<Group> groupsApart(const std::vector<PlanarRing>& rings, double margin)
+{
+    std::vector<Box> boxes(rings.size());
+    Group all;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        for (const Eigen::Vector2d& point : rings[i])
+            boxes[i].extend(point);
+        all.push_back(i);
+    }
+    struct Work {
+        Group group;
+        int axis;
+        int uncut;  ///< axes tried without a cut
+    };
+    std::vector<Group> groups;
+    std::vector<Work> open{{std::move(all), 0, 0}};
+    while (!open.empty()) {
+        Work work = std::move(open.back());
+        open.pop_back();
+        if (work.uncut == 2 || work.group.size() < 2) {
+            std::ranges::sort(work.group);
+            groups.push_back(std::move(work.group));
+            continue;
+        }
+        std::vector<Group> pieces = cutAcross(std::move(work.group), work.axis, boxes, margin);
+        const int uncut = pieces.size() == 1 ? work.uncut + 1 : 0;
+        for (Group& piece : pieces)
+            open.push_back({std::move(piece), 1 - work.axis, uncut});
+    }
+    return groups;
+}
+
+/// The union of paths that follow each other: parts first, because neighbours melt into few edges.
 Paths unite(std::span<const Path> paths)
 {
     ClipperLib::Clipper clipper;
@@ -70,9 +125,9 @@ Paths unite(std::span<const Path> paths)
         for (const Path& path : paths)
             clipper.AddPath(path, ClipperLib::ptSubject, true);
     } else {
-        const std::size_t half = paths.size() / 2;
-        clipper.AddPaths(unite(paths.first(half)), ClipperLib::ptSubject, true);
-        clipper.AddPaths(unite(paths.subspan(half)), ClipperLib::ptSubject, true);
+        const std::size_t part = (paths.size() + 3) / 4;
+        for (; !paths.empty(); paths = paths.subspan(std::min(part, paths.size())))
+            clipper.AddPaths(unite(paths.first(std::min(part, paths.size()))), ClipperLib::ptSubject, true);
     }
     Paths united;
     clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
@@ -91,6 +146,32 @@ void closeCracks(const Paths& paths, double halfWidth, PolyTree& closed)
     offset.Execute(closed, -halfWidth);
 }
 
+PlanarRing ringOf(const PolyNode& node, const Grid& grid, bool counterClockwise)
+{
+    PlanarRing ring = simplifyRing(grid.fromGrid(node.Contour), kCorner);
+    if ((signedArea(ring) > 0.0) != counterClockwise)
+        std::ranges::reverse(ring);
+    return ring;
+}
+
+/// Appends the polygons of Clipper's result that are no slivers.
+void appendPolygons(const PolyTree& tree, const Grid& grid, std::vector<PlanarPolygon>& polygons)
+{
+    for (const PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
+        if (node->IsHole())
+            continue;
+        PlanarPolygon polygon{ringOf(*node, grid, true), {}};
+        if (signedArea(polygon.ring) < kSmallestPart)
+            continue;
+        for (const PolyNode* child : node->Childs) {
+            PlanarRing hole = ringOf(*child, grid, false);
+            if (signedArea(hole) < -kSmallestHole)
+                polygon.holes.push_back(std::move(hole));
+        }
+        polygons.push_back(std::move(polygon));
+    }
+}
+
 }  // namespace
 
 double signedArea(const PlanarRing& ring)
@@ -104,34 +185,17 @@ double signedArea(const PlanarRing& ring)
 std::vector<PlanarPolygon> unionOf(const std::vector<PlanarRing>& rings)
 {
     const Grid grid(rings);
-    Paths paths;
-    paths.reserve(rings.size());
-    for (const PlanarRing& ring : rings)
-        paths.push_back(grid.toGrid(ring));
-
-    PolyTree closed;
-    closeCracks(unite(paths), kCrack * grid.unitsPerMetre, closed);
-
-    const auto ringOf = [&](const PolyNode& node, bool counterClockwise) {
-        Path path = node.Contour;
-        ClipperLib::CleanPolygon(path, kCollinear * grid.unitsPerMetre);
-        if (ClipperLib::Orientation(path) != counterClockwise)
-            ClipperLib::ReversePath(path);
-        return grid.fromGrid(path);
-    };
     std::vector<PlanarPolygon> polygons;
-    for (const PolyNode* node = closed.GetFirst(); node != nullptr; node = node->GetNext()) {
-        if (node->IsHole())
-            continue;
-        PlanarPolygon polygon{ringOf(*node, true), {}};
-        if (signedArea(polygon.ring) < kSmallestPart)
-            continue;
-        for (const PolyNode* child : node->Childs) {
-            PlanarRing hole = ringOf(*child, false);
-            if (signedArea(hole) < -kSmallestHole)
-                polygon.holes.push_back(std::move(hole));
-        }
-        polygons.push_back(std::move(polygon));
+    for (const Group& group : groupsApart(rings, 3.0 * kCrack)) {
+        Paths paths;
+        for (const std::size_t i : group)
+            paths.push_back(grid.toGrid(rings[i]));
+        paths = unite(paths);
+        for (Path& path : paths)
+            path = grid.toGrid(simplifyRing(grid.fromGrid(path), kCorner));
+        PolyTree closed;
+        closeCracks(paths, kCrack * grid.unitsPerMetre, closed);
+        appendPolygons(closed, grid, polygons);
     }
     return polygons;
 }

@@ -15,7 +15,8 @@ struct PlanarPolygon {
     std::vector<PlanarRing> holes;
 };
 
-/// The union of counter-clockwise rings, on a grid of a micrometre (coarser beyond 500 m).
+/// The union of rings: the points that they wind around in sum, as counter-clockwise rings do around their inside. It
+/// is computed on a grid of a micrometre (coarser beyond 500 m) and keeps corners to a millimetre.
 ///
 /// Cracks up to 4 cm wide and holes below 1 dm² are closed, parts below 10 cm² are left out: they come from the noise
 /// of segment ends. No order of parts, holes and first vertices is promised.

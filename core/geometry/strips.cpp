@@ -68,6 +68,82 @@ struct Border {
     }
 };
 
+/// The corners of a strip on its earlier and on its later stretch [m].
+struct StripCorners {
+    Eigen::Vector2d beforeLow;
+    Eigen::Vector2d beforeHigh;
+    Eigen::Vector2d afterLow;
+    Eigen::Vector2d afterHigh;
+};
+
+/// Makes rings of strips. Strips that share a whole side become one ring: its winding number at any point is the sum
+/// of theirs, so that the union stays the same and has far fewer rings to unite.
+class RingChains {
+public:
+    explicit RingChains(std::size_t stretches) : chainAt_(stretches, kNone) {}
+
+    void add(const Strip& strip, const StripCorners& corners);
+    std::vector<PlanarRing> rings() const;
+
+private:
+    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    struct Chain {
+        bool turned;  ///< the lower side is on the right
+        std::array<Strip::End, 2> ends;
+        PlanarRing low;   ///< its lower side from the first stretch to the last
+        PlanarRing high;  ///< its upper side
+    };
+
+    std::vector<Chain> chains_;
+    std::vector<std::size_t> chainAt_;  // per stretch: the chain whose last stretch it is
+};
+
+void RingChains::add(const Strip& strip, const StripCorners& c)
+{
+    const Eigen::Vector2d before = c.beforeHigh - c.beforeLow;
+    const Eigen::Vector2d after = c.afterHigh - c.afterLow;
+    // Signed distances (times a length) of each stretch's ends from the line of the other one.
+    const double afterLow = cross(before, c.afterLow - c.beforeLow);
+    const double afterHigh = cross(before, c.afterHigh - c.beforeLow);
+    const double beforeLow = cross(after, c.beforeLow - c.afterLow);
+    const double beforeHigh = cross(after, c.beforeHigh - c.afterLow);
+    if (afterLow * afterHigh < 0.0 && beforeLow * beforeHigh < 0.0) {
+        // Near the pitch axis, and where slices come out of order, the stretches cross.
+        const Eigen::Vector2d crossing = c.beforeLow + beforeLow / (beforeLow - beforeHigh) * before;
+        chains_.push_back({afterLow < 0.0, strip.ends, {c.beforeLow, c.afterLow}, {crossing}});
+        chains_.push_back({afterHigh < 0.0, strip.ends, {crossing}, {c.beforeHigh, c.afterHigh}});
+        return;
+    }
+    const double doubledArea =
+        cross(c.afterHigh - c.beforeLow, c.afterLow - c.beforeLow) + cross(before, c.afterHigh - c.beforeLow);
+    const bool turned = doubledArea < 0.0;
+    std::size_t& chain = chainAt_[strip.before];
+    if (chain != kNone && chains_[chain].turned == turned && chains_[chain].ends[0].after == strip.ends[0].before &&
+        chains_[chain].ends[1].after == strip.ends[1].before) {
+        chains_[chain].ends = strip.ends;
+        chains_[chain].low.push_back(c.afterLow);
+        chains_[chain].high.push_back(c.afterHigh);
+        chainAt_[strip.after] = chain;
+        chain = kNone;
+    } else {
+        chainAt_[strip.after] = chains_.size();
+        chains_.push_back({turned, strip.ends, {c.beforeLow, c.afterLow}, {c.beforeHigh, c.afterHigh}});
+    }
+}
+
+std::vector<PlanarRing> RingChains::rings() const
+{
+    std::vector<PlanarRing> rings;
+    for (const Chain& chain : chains_) {
+        PlanarRing ring = chain.high;
+        ring.insert(ring.end(), chain.low.rbegin(), chain.low.rend());
+        if (chain.turned)
+            std::ranges::reverse(ring);
+        rings.push_back(std::move(ring));
+    }
+    return rings;
+}
+
 /// Removes cuts from pieces; both in order along the row.
 std::vector<Piece> without(const std::vector<Piece>& pieces, const std::vector<Cut>& cuts,
                            const std::vector<Stretch>& stretches)
@@ -107,7 +183,8 @@ private:
     bool bridges(const WaitingRow& before, const WaitingRow& after, const Overlap& overlap) const;
     Strip::End endOf(const Overlap& overlap, int side);
     bool goesStraightOn(std::size_t strip, int side) const;
-    PlanarRing corners(std::size_t strip) const;
+    Strip decided(std::size_t strip) const;
+    StripCorners cornersOf(const Strip& strip) const;
 
     Eigen::Vector2d at(std::size_t stretch, double fraction) const
     {
@@ -281,53 +358,32 @@ bool StripBuilder::goesStraightOn(std::size_t strip, int side) const
     return here.direction.dot(incoming.direction) > kStraightOn || here.direction.dot(outgoing.direction) > kStraightOn;
 }
 
-PlanarRing StripBuilder::corners(std::size_t strip) const
+/// The strip with the decision on its ends taken.
+Strip StripBuilder::decided(std::size_t strip) const
 {
-    const Strip& s = strips_[strip];
-    std::array<Strip::End, 2> ends = s.ends;
+    Strip s = strips_[strip];
     for (const int side : {0, 1}) {
-        Strip::End& end = ends[static_cast<std::size_t>(side)];
+        Strip::End& end = s.ends[static_cast<std::size_t>(side)];
         if (end.stepped && goesStraightOn(strip, side))
             end.before = end.after = side;
     }
-    return {at(s.before, ends[0].before), at(s.before, ends[1].before), at(s.after, ends[1].after),
-            at(s.after, ends[0].after)};
+    return s;
 }
 
-/// Appends a ring counter-clockwise, unless it has no area.
-void appendTurned(PlanarRing ring, std::vector<PlanarRing>& rings)
+StripCorners StripBuilder::cornersOf(const Strip& strip) const
 {
-    double area = 0.0;
-    for (std::size_t i = 2; i < ring.size(); ++i)
-        area += cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
-    if (area < 0.0)
-        std::ranges::reverse(ring);
-    if (area != 0.0)
-        rings.push_back(std::move(ring));
+    return {at(strip.before, strip.ends[0].before), at(strip.before, strip.ends[1].before),
+            at(strip.after, strip.ends[0].after), at(strip.after, strip.ends[1].after)};
 }
 
 std::vector<PlanarRing> StripBuilder::rings() const
 {
-    std::vector<PlanarRing> rings;
+    RingChains chains(stretches_.size());
     for (std::size_t i = 0; i < strips_.size(); ++i) {
-        const PlanarRing c = corners(i);
-        const Eigen::Vector2d before = c[1] - c[0];
-        const Eigen::Vector2d after = c[2] - c[3];
-        // Signed distances (times a length) of each stretch's ends from the line of the other one.
-        const double afterLow = cross(before, c[3] - c[0]);
-        const double afterHigh = cross(before, c[2] - c[0]);
-        const double beforeLow = cross(after, c[0] - c[3]);
-        const double beforeHigh = cross(after, c[1] - c[3]);
-        if (afterLow * afterHigh < 0.0 && beforeLow * beforeHigh < 0.0) {
-            // Near the pitch axis, and where slices come out of order, the stretches cross.
-            const Eigen::Vector2d crossing = c[0] + beforeLow / (beforeLow - beforeHigh) * before;
-            appendTurned({c[0], crossing, c[3]}, rings);
-            appendTurned({crossing, c[1], c[2]}, rings);
-        } else {
-            appendTurned(c, rings);
-        }
+        const Strip strip = decided(i);
+        chains.add(strip, cornersOf(strip));
     }
-    return rings;
+    return chains.rings();
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ struct Row {
     std::vector<Stretch> stretches;
 };
 
-/// The strips between neighbouring stretches of different rows, each counter-clockwise and with no crossing.
+/// The strips between neighbouring stretches of different rows, as rings that wind counter-clockwise around them: a
+/// ring holds a strip or a run of strips that share whole stretches, and may overlap itself.
 ///
 /// A strip spans the overlap of its two stretches along their direction. Ends that differ by little more than the rows
 /// are apart are joined by a slanted side; so are ends that differ by more where the border goes on in that direction

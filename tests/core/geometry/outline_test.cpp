@@ -1,0 +1,527 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/geometry/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <QtTest>
+
+#include "core/types/angle.h"
+#include "tests/core/geometry/seen_plane.h"
+
+using namespace planewright;
+
+namespace {
+
+constexpr double kGrid = 1e-4;  // what rounding to micrometres may change on lengths and areas of a few metres
+
+bool isClose(double a, double b, double tolerance = kGrid)
+{
+    return std::abs(a - b) <= tolerance;
+}
+
+bool comesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+Eigen::Isometry3d anyPose()
+{
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+    pose.translation() = Eigen::Vector3d(1.0, 5.0, 2.0);
+    return pose;
+}
+
+/// A wall 3 m × 2 m in 21 rows with a window 1 m × 0.8 m: rows 6 to 14 are interrupted from x = 1 to 2.
+SeenPlane wallWithWindow(const Eigen::Isometry3d& pose)
+{
+    SeenPlane wall(pose);
+    for (int k = 0; k <= 20; ++k) {
+        if (k >= 6 && k <= 14)
+            wall.row(k, 0.1 * k, {{0.0, 1.0}, {2.0, 3.0}});
+        else
+            wall.row(k, 0.1 * k, {{0.0, 3.0}});
+    }
+    return wall;
+}
+
+double deterministicUniform(std::mt19937_64& random)
+{
+    return static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+}  // namespace
+
+class OutlineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aWallIsTheRectangleOfItsSegments();
+    void anLKeepsItsCorner();
+    void aWindowIsAHole();
+    void aDoorIsANotch();
+    void partsFarApartStayApart();
+    void aSlantedBorderIsNotCutIntoSteps();
+    void aSideWallSeenInAFanReachesItsFloorLine();
+    void aFloorSeenInAFanIsItsSector();
+    void segmentsThatCrossGiveBothTriangles();
+    void slicesThatComeOutOfOrderLeaveNoHole();
+    void interlacedSlicesWithRaggedEndsGiveOnePart();
+    void aPartMissedInTwoSlicesIsBridged();
+    void aPartMissedInManyFineSlicesIsBridgedWhileTheGapIsSmall();
+    void anOpeningOverThreeSlicesIsNotBridged();
+    void everyThirdSliceOfARecordingIsNoGap();
+    void twoSegmentsGiveAStrip();
+    void withoutAnOverlapTheHullStandsIn();
+    void aSingleSegmentHasNoAreaButALength();
+    void noSegmentsGiveAnEmptyOutline();
+    void segmentsWithoutLengthOrFiniteEndsAreLeftOut();
+    void ringsTurnLeftAndHolesRightSeenFromTheNormal();
+    void ringsBeginAtTheirSmallestVertexAndPartsComeInOrder();
+    void verticesAndCentroidLieOnThePlane();
+    void theCentroidIsThatOfTheArea();
+    void turningThePlaneTurnsTheOutline();
+    void theOrderOfThePlanesSegmentsDoesNotMatter();
+    void widthIsTheMoreLevelSide();
+    void widthOfALevelPlaneIsTheLongerSide();
+    void aKilometreAwayStillWorks();
+};
+
+void OutlineTest::aWallIsTheRectangleOfItsSegments()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 20; ++k)
+        wall.row(k, 0.1 * k - 1.0, {{-1.5, 1.5}});
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QCOMPARE(outline.parts[0].ring.size(), std::size_t(4));
+    QVERIFY(outline.parts[0].holes.empty());
+    QVERIFY(isClose(outline.area, 6.0));
+    QVERIFY(isClose(outline.width, 3.0));
+    QVERIFY(isClose(outline.height, 2.0));
+    QVERIFY((outline.centroid - Eigen::Vector3d(0.0, 4.0, 0.0)).norm() < kGrid);
+}
+
+void OutlineTest::anLKeepsItsCorner()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 20; ++k)
+        wall.row(k, 0.1 * k, {{0.0, k <= 10 ? 3.0 : 1.0}});
+
+    const Outline outline = wall.outline();
+
+    // Rows at 1.0 (3 m long) and at 1.1 (1 m long): what both cover is 1 m wide. The hull would have 5 m².
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QCOMPARE(outline.parts[0].ring.size(), std::size_t(6));
+    QVERIFY(isClose(outline.area, 3.0 * 1.0 + 1.0 * 1.0));
+    QVERIFY(isClose(outline.width, 3.0));
+    QVERIFY(isClose(outline.height, 2.0));
+}
+
+void OutlineTest::aWindowIsAHole()
+{
+    const Outline outline = wallWithWindow(wallAhead()).outline();
+
+    // The whole rows beside the window are at 0.5 and 1.5; between them nothing was seen from x = 1 to 2.
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QCOMPARE(outline.parts[0].holes.size(), std::size_t(1));
+    QCOMPARE(outline.parts[0].holes[0].size(), std::size_t(4));
+    QVERIFY(isClose(outline.area, 3.0 * 2.0 - 1.0 * 1.0));
+    QVERIFY(isClose(areaSeenFrom(wallAhead().linear().col(2), outline.parts[0].holes[0]), -1.0));
+}
+
+void OutlineTest::aDoorIsANotch()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 20; ++k) {
+        if (k <= 15)
+            wall.row(k, 0.1 * k, {{0.0, 1.0}, {1.9, 3.0}});
+        else
+            wall.row(k, 0.1 * k, {{0.0, 3.0}});
+    }
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QVERIFY(outline.parts[0].holes.empty());
+    QCOMPARE(outline.parts[0].ring.size(), std::size_t(8));
+    QVERIFY(isClose(outline.area, 3.0 * 2.0 - 0.9 * 1.6));
+}
+
+void OutlineTest::partsFarApartStayApart()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 10; ++k)
+        wall.row(k, 0.1 * k, {{0.0, 1.0}, {2.0, 3.5}});
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(2));
+    QVERIFY(isClose(outline.area, 1.0 + 1.5));
+    QVERIFY(isClose(outline.width, 3.5));
+}
+
+void OutlineTest::aSlantedBorderIsNotCutIntoSteps()
+{
+    // A triangle whose right side runs out by 0.5 m per row, five times as far as the rows are apart.
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 10; ++k)
+        wall.row(k, 0.1 * k, {{0.0, 0.5 + 0.5 * k}});
+
+    const Outline outline = wall.outline();
+
+    QVERIFY(isClose(outline.area, 0.5 * (0.5 + 5.5) * 1.0));
+    QCOMPARE(outline.parts[0].ring.size(), std::size_t(4));
+}
+
+void OutlineTest::aSideWallSeenInAFanReachesItsFloorLine()
+{
+    // Rays 2° apart from a point 1 m above the floor; the wall ends 10 m away. x is forward, y up.
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 44; ++k) {
+        const double down = degrees(89.0 - 2.0 * k);
+        const double reach = std::min(10.0 / std::cos(down), 1.0 / std::sin(down));
+        wall.slice(k, {{0.0, 0.0, reach * std::cos(down), -reach * std::sin(down)}});
+    }
+
+    const Outline outline = wall.outline();
+
+    // From the ray 1° beside the vertical to the ray 1° below the level: the rectangle without two triangles. The ray
+    // before the corner and the one after it enclose another one that nobody saw.
+    const double beforeCorner = 1.0 / std::tan(degrees(7.0));
+    const double unseenCorner = 0.5 * (10.0 - beforeCorner) * (1.0 - 10.0 * std::tan(degrees(5.0)));
+    const double expected = 10.0 - 0.5 * std::tan(degrees(1.0)) - 0.5 * 100.0 * std::tan(degrees(1.0)) - unseenCorner;
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QVERIFY2(isClose(outline.area, expected, 0.005), qPrintable(QString::number(outline.area)));
+}
+
+void OutlineTest::aFloorSeenInAFanIsItsSector()
+{
+    // Radial segments from 1 m to 3 m, 3° apart over 90°: a polygon of 30 trapezoids.
+    SeenPlane floor;
+    for (int k = 0; k <= 30; ++k) {
+        const double a = degrees(3.0 * k);
+        floor.slice(k, {{std::cos(a), std::sin(a), 3.0 * std::cos(a), 3.0 * std::sin(a)}});
+    }
+
+    const Outline outline = floor.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QVERIFY(isClose(outline.area, 30.0 * 0.5 * (9.0 - 1.0) * std::sin(degrees(3.0)), 2e-3));
+}
+
+void OutlineTest::segmentsThatCrossGiveBothTriangles()
+{
+    SeenPlane floor;
+    floor.slice(0, {{-1.0, -0.1, 1.0, 0.1}});
+    floor.slice(1, {{-1.0, 0.1, 1.0, -0.1}});
+
+    const Outline outline = floor.outline();
+
+    QVERIFY2(isClose(outline.area, 2.0 * 0.5 * 1.0 * 0.2, 5e-3), qPrintable(QString::number(outline.area)));
+}
+
+void OutlineTest::slicesThatComeOutOfOrderLeaveNoHole()
+{
+    SeenPlane wall(wallAhead());
+    const std::vector<int> order{0, 2, 1, 4, 3, 5, 7, 6, 8, 10, 9};
+    for (std::size_t k = 0; k < order.size(); ++k)
+        wall.row(static_cast<int>(k), 0.1 * order[k], {{0.0, 2.0}});
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QCOMPARE(outline.parts[0].ring.size(), std::size_t(4));
+    QVERIFY(isClose(outline.area, 2.0));
+}
+
+void OutlineTest::interlacedSlicesWithRaggedEndsGiveOnePart()
+{
+    // Four slices at nearly the same pitch see the wall with beams 8 cm apart, shifted by 2 cm from slice to slice.
+    SeenPlane wall(wallAhead());
+    std::mt19937_64 random(7);
+    for (int k = 0; k < 120; ++k) {
+        const double shift = 0.02 * (k % 4);
+        const double y = 0.05 * (k / 4) + 0.002 * deterministicUniform(random);
+        wall.row(k, y, {{shift, 2.92 + shift}});
+    }
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QVERIFY(outline.parts[0].holes.empty());
+    const double least = 2.86 * 1.448;
+    const double most = 2.98 * 1.452;
+    QVERIFY(outline.area > least && outline.area < most);
+}
+
+void OutlineTest::aPartMissedInTwoSlicesIsBridged()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 20; ++k) {
+        if (k == 9 || k == 10)
+            wall.row(k, 0.1 * k, {{0.0, 1.0}, {1.5, 3.0}});
+        else if (k == 15)
+            wall.slice(k, {});
+        else
+            wall.row(k, 0.1 * k, {{0.0, 3.0}});
+    }
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QVERIFY(outline.parts[0].holes.empty());
+    QVERIFY(isClose(outline.area, 6.0));
+}
+
+void OutlineTest::aPartMissedInManyFineSlicesIsBridgedWhileTheGapIsSmall()
+{
+    // Rows 1 cm apart; from x = 1 to 2 the wall is missed over 14 cm, below the shortest segment.
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 100; ++k) {
+        if (k > 50 && k < 64)
+            wall.row(k, 0.01 * k, {{0.0, 1.0}, {2.0, 3.0}});
+        else
+            wall.row(k, 0.01 * k, {{0.0, 3.0}});
+    }
+
+    QVERIFY(isClose(wall.outline().area, 3.0));
+}
+
+void OutlineTest::anOpeningOverThreeSlicesIsNotBridged()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 20; ++k) {
+        if (k >= 8 && k <= 10)
+            wall.row(k, 0.1 * k, {{0.0, 1.0}, {2.0, 3.0}});
+        else
+            wall.row(k, 0.1 * k, {{0.0, 3.0}});
+    }
+
+    QVERIFY(isClose(wall.outline().area, 6.0 - 0.4));
+}
+
+void OutlineTest::everyThirdSliceOfARecordingIsNoGap()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 10; ++k)
+        wall.row(9 * k, 0.2 * k, {{0.0, 3.0}});
+
+    QVERIFY(isClose(wall.outline().area, 6.0));
+}
+
+void OutlineTest::twoSegmentsGiveAStrip()
+{
+    SeenPlane wall(wallAhead());
+    wall.row(3, 0.0, {{0.0, 2.0}});
+    wall.row(4, 0.2, {{1.0, 4.0}});
+
+    const Outline outline = wall.outline();
+
+    // They overlap by 1 m; their ends are too far apart to be joined.
+    QVERIFY(isClose(outline.area, 0.2));
+    QVERIFY(isClose(outline.width, 1.0));
+    QVERIFY(isClose(outline.height, 0.2));
+}
+
+void OutlineTest::withoutAnOverlapTheHullStandsIn()
+{
+    SeenPlane wall(wallAhead());
+    wall.row(0, 0.0, {{0.0, 1.0}});
+    wall.row(1, 1.0, {{2.0, 3.0}});
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QCOMPARE(outline.parts[0].ring.size(), std::size_t(4));
+    QVERIFY(isClose(outline.area, 1.0));
+    QVERIFY((outline.centroid - Eigen::Vector3d(-1.5, 4.0, 0.5)).norm() < kGrid);
+}
+
+void OutlineTest::aSingleSegmentHasNoAreaButALength()
+{
+    SeenPlane wall(wallAhead());
+    wall.row(0, 0.5, {{1.0, 3.0}});
+
+    const Outline outline = wall.outline();
+
+    QVERIFY(outline.parts.empty());
+    QCOMPARE(outline.area, 0.0);
+    QVERIFY(isClose(outline.width, 2.0, 1e-12));
+    QVERIFY(isClose(outline.height, 0.0, 1e-12));
+    QVERIFY((outline.centroid - Eigen::Vector3d(-2.0, 4.0, 0.5)).norm() < 1e-12);
+}
+
+void OutlineTest::noSegmentsGiveAnEmptyOutline()
+{
+    const Outline outline = SeenPlane().outline();
+
+    QVERIFY(outline.parts.empty());
+    QCOMPARE(outline.area, 0.0);
+    QCOMPARE(outline.width, 0.0);
+}
+
+void OutlineTest::segmentsWithoutLengthOrFiniteEndsAreLeftOut()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 10; ++k)
+        wall.slice(k, {{0.0, 0.1 * k, 2.0, 0.1 * k},
+                       {7.0, 0.1 * k, std::numeric_limits<double>::quiet_NaN(), 0.1 * k},
+                       {1.0, 0.1 * k, 1.0, 0.1 * k}});
+
+    const Outline outline = wall.outline();
+
+    QVERIFY(isClose(outline.area, 2.0));
+    QVERIFY(isClose(outline.width, 2.0));
+}
+
+void OutlineTest::ringsTurnLeftAndHolesRightSeenFromTheNormal()
+{
+    for (const Eigen::Isometry3d& pose : {wallAhead(), anyPose(), Eigen::Isometry3d(Eigen::Isometry3d::Identity())}) {
+        const SeenPlane wall = wallWithWindow(pose);
+
+        const Outline outline = wall.outline();
+
+        QVERIFY(areaSeenFrom(wall.plane.normal, outline.parts[0].ring) > 0.0);
+        QVERIFY(areaSeenFrom(wall.plane.normal, outline.parts[0].holes[0]) < 0.0);
+    }
+}
+
+void OutlineTest::ringsBeginAtTheirSmallestVertexAndPartsComeInOrder()
+{
+    SeenPlane wall(anyPose());
+    for (int k = 0; k <= 20; ++k) {
+        if (k >= 6 && k <= 14)
+            wall.row(k, 0.1 * k, {{0.0, 1.0}, {2.0, 3.0}, {4.0, 5.0}, {6.0, 7.0}});
+        else
+            wall.row(k, 0.1 * k, {{0.0, 3.0}, {4.0, 5.0}, {6.0, 7.0}});
+    }
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(3));
+    for (const Outline::Polygon& part : outline.parts) {
+        QCOMPARE(std::ranges::min_element(part.ring, comesBefore) - part.ring.begin(), 0);
+        for (const auto& hole : part.holes)
+            QCOMPARE(std::ranges::min_element(hole, comesBefore) - hole.begin(), 0);
+    }
+    QVERIFY(comesBefore(outline.parts[0].ring[0], outline.parts[1].ring[0]));
+    QVERIFY(comesBefore(outline.parts[1].ring[0], outline.parts[2].ring[0]));
+}
+
+void OutlineTest::verticesAndCentroidLieOnThePlane()
+{
+    const SeenPlane wall = wallWithWindow(anyPose());
+    const auto offset = [&](const Eigen::Vector3d& p) {
+        return std::abs(wall.plane.normal.dot(p) - wall.plane.distance);
+    };
+
+    const Outline outline = wall.outline();
+
+    QVERIFY(offset(outline.centroid) < 1e-12);
+    for (const Eigen::Vector3d& vertex : outline.parts[0].ring)
+        QVERIFY(offset(vertex) < 1e-12);
+    for (const Eigen::Vector3d& vertex : outline.parts[0].holes[0])
+        QVERIFY(offset(vertex) < 1e-12);
+}
+
+void OutlineTest::theCentroidIsThatOfTheArea()
+{
+    SeenPlane l(anyPose());
+    for (int k = 0; k <= 20; ++k)
+        l.row(k, 0.1 * k, {{0.0, k <= 10 ? 3.0 : 1.0}});
+
+    const Outline outline = l.outline();
+
+    // 3 m × 1 m about (1.5, 0.5) and 1 m × 1 m about (0.5, 1.5).
+    const Eigen::Vector3d expected = l.pose * Eigen::Vector3d((3.0 * 1.5 + 0.5) / 4.0, (3.0 * 0.5 + 1.5) / 4.0, 0.0);
+    QVERIFY((outline.centroid - expected).norm() < kGrid);
+}
+
+void OutlineTest::turningThePlaneTurnsTheOutline()
+{
+    const SeenPlane level = wallWithWindow(Eigen::Isometry3d::Identity());
+    const SeenPlane turned = wallWithWindow(anyPose());
+
+    const Outline a = level.outline();
+    const Outline b = turned.outline();
+
+    QVERIFY(isClose(a.area, b.area));
+    QVERIFY((anyPose() * a.centroid - b.centroid).norm() < kGrid);
+    QCOMPARE(a.parts[0].ring.size(), b.parts[0].ring.size());
+    for (const Eigen::Vector3d& vertex : a.parts[0].ring) {
+        const Eigen::Vector3d image = anyPose() * vertex;
+        QVERIFY(
+            std::ranges::any_of(b.parts[0].ring, [&](const auto& other) { return (other - image).norm() < kGrid; }));
+    }
+}
+
+void OutlineTest::theOrderOfThePlanesSegmentsDoesNotMatter()
+{
+    SeenPlane wall = wallWithWindow(anyPose());
+    const Outline sorted = wall.outline();
+    std::ranges::reverse(wall.plane.segments);
+
+    const Outline reversed = wall.outline();
+
+    QVERIFY(sorted.parts[0].ring == reversed.parts[0].ring);
+    QVERIFY(sorted.parts[0].holes == reversed.parts[0].holes);
+    QCOMPARE(sorted.area, reversed.area);
+}
+
+void OutlineTest::widthIsTheMoreLevelSide()
+{
+    SeenPlane tall(wallAhead());
+    for (int k = 0; k <= 30; ++k)
+        tall.row(k, 0.1 * k, {{0.0, 1.0}});
+    SeenPlane scannedUpright(wallAhead());
+    for (int k = 0; k <= 10; ++k)
+        scannedUpright.slice(k, {{0.1 * k, 0.0, 0.1 * k, 3.0}});
+
+    for (const SeenPlane* wall : {&tall, &scannedUpright}) {
+        const Outline outline = wall->outline();
+        QVERIFY(isClose(outline.width, 1.0));
+        QVERIFY(isClose(outline.height, 3.0));
+    }
+}
+
+void OutlineTest::widthOfALevelPlaneIsTheLongerSide()
+{
+    // A table tilted by 3° along its short side.
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = Eigen::AngleAxisd(degrees(3.0), Eigen::Vector3d::UnitY()).toRotationMatrix();
+    pose.translation() = Eigen::Vector3d(0.0, 1.0, 0.5);
+    SeenPlane table(pose);
+    for (int k = 0; k <= 20; ++k)
+        table.row(k, 0.1 * k, {{0.0, 1.2}});
+
+    const Outline outline = table.outline();
+
+    QVERIFY(isClose(outline.width, 2.0));
+    QVERIFY(isClose(outline.height, 1.2));
+}
+
+void OutlineTest::aKilometreAwayStillWorks()
+{
+    Eigen::Isometry3d pose = wallAhead();
+    pose.translation() = Eigen::Vector3d(1000.0, 1000.0, 1000.0);
+    SeenPlane wall(pose);
+    for (int k = 0; k <= 20; ++k)
+        wall.row(k, 5.0 * k, {{-1000.0, 1000.0}});
+
+    const Outline outline = wall.outline();
+
+    QVERIFY(std::abs(outline.area - 200000.0) < 1.0);
+    QVERIFY(isClose(outline.width, 2000.0, 1e-3));
+}
+
+QTEST_GUILESS_MAIN(OutlineTest)
+#include "outline_test.moc"
