@@ -14,8 +14,7 @@
 #include "core/types/angle.h"
 #include "tests/core/geometry/seen_plane.h"
 
-using namespace planewright;
-
+namespace planewright {
 namespace {
 
 constexpr double kGrid = 1e-4;  // what rounding to micrometres may change on lengths and areas of a few metres
@@ -523,5 +522,7 @@ void OutlineTest::aKilometreAwayStillWorks()
     QVERIFY(isClose(outline.width, 2000.0, 1e-3));
 }
 
-QTEST_GUILESS_MAIN(OutlineTest)
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::OutlineTest)
 #include "outline_test.moc"

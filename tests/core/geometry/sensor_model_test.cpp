@@ -8,12 +8,12 @@
 #include <random>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <QtTest>
 
 #include "core/types/angle.h"
 
-using namespace planewright;
-
+namespace planewright {
 namespace {
 
 Eigen::Matrix3d numericJacobian(const Eigen::Vector3d& x, const SensorModel& sensor)
@@ -106,10 +106,10 @@ void SensorModelTest::jacobianMatchesTheNumericDerivativeOfEq6()
 
 void SensorModelTest::jacobianHasTheDeterminantOfASphere()
 {
-    // det J = −ρ · ρ sin θ · … of spherical coordinates about the x axis where d_l = 0: |det J| = ρ² |sin θ|.
-    const Eigen::Matrix3d jacobian = cartesianJacobian(3.0, degrees(50.0), degrees(70.0), {0.0, 0.1, 30.0});
+    // det J = ρ² sin θ, whatever d_l: the printed sign of entry (3,1) would break it.
+    const Eigen::Matrix3d jacobian = cartesianJacobian(3.0, degrees(50.0), degrees(70.0), {0.16, 0.1, 30.0});
 
-    QVERIFY(std::abs(std::abs(jacobian.determinant()) - 9.0 * std::sin(degrees(50.0))) < 1e-12);
+    QVERIFY(std::abs(jacobian.determinant() - 9.0 * std::sin(degrees(50.0))) < 1e-12);
 }
 
 void SensorModelTest::covarianceMatchesMonteCarlo()
@@ -190,5 +190,7 @@ void SensorModelTest::aDescriptionGivesItsModel()
     QCOMPARE(sensor.rangeMax, 80.0);
 }
 
-QTEST_GUILESS_MAIN(SensorModelTest)
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::SensorModelTest)
 #include "sensor_model_test.moc"

@@ -14,8 +14,7 @@
 #include "core/geometry/polygon_union.h"
 #include "tests/core/geometry/seen_plane.h"
 
-using namespace planewright;
-
+namespace planewright {
 namespace {
 
 using Ring = std::vector<Eigen::Vector3d>;
@@ -259,5 +258,7 @@ void TriangulateTest::aTiltedOutlineOfSegmentsIsCovered()
     }
 }
 
-QTEST_GUILESS_MAIN(TriangulateTest)
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::TriangulateTest)
 #include "triangulate_test.moc"
