@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <array>
+#include <cmath>
 #include <istream>
 #include <limits>
 
@@ -29,8 +29,7 @@ std::string readPlane(const json& from, PlaneRecord& plane)
     if (!from.is_object())
         return "is not an object; correct it";
     const auto whole = [&](const char* key, int& value) {
-        if (!from[key].is_number_integer() || from[key] < std::numeric_limits<int>::min() ||
-            from[key] > std::numeric_limits<int>::max())
+        if (!from[key].is_number_integer() || std::abs(from[key].get<double>()) > std::numeric_limits<int>::max())
             return false;
         value = from[key].get<int>();
         return true;

@@ -179,6 +179,8 @@ void PlanesJsonTest::refusesWhatIsNoPlanesFile_data()
                                << first + "'id' is not a whole number; correct it";
     QTest::newRow("huge id") << planes(R"([{"id":4294967296,"nx":0,"ny":0,"nz":1,"d":2}])")
                              << first + "'id' is not a whole number; correct it";
+    QTest::newRow("id of 64 bits") << planes(R"([{"id":18446744073709551615,"nx":0,"ny":0,"nz":1,"d":2}])")
+                                   << first + "'id' is not a whole number; correct it";
     QTest::newRow("points") << planes(R"([{"id":1,"nx":0,"ny":0,"nz":1,"d":2,"points":"9"}])")
                             << first + "'points' is not a whole number; correct it";
     QTest::newRow("name") << planes(R"([{"id":1,"nx":0,"ny":0,"nz":1,"d":2,"name":9}])")
