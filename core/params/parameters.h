@@ -154,6 +154,7 @@ struct PlaneParameters {
     double flatness = 0.005;
     int minClusterSegments = 5;
     int minClusterSlices = 4;
+    double baselineSigmas = 4.0;
     double inlierDistance = 0.03;
     double inlierSigmas = 3.0;
     double errorLimit = 4.0;
@@ -162,7 +163,10 @@ struct PlaneParameters {
     int minSegments = 4;
     int minSlices = 3;
     int minPoints = 60;
-    double minExtent = 0.3;
+    double minExtent = 0.08;
+    double minExtentAngle = degrees(1.7);
+    double maxNormalSigma = degrees(5.0);
+    double minIncidence = degrees(3.0);
     double mergeAngle = degrees(5.0);
     double mergeDistance = 0.025;
     double mergeSigmas = 3.0;
@@ -180,6 +184,9 @@ struct PlaneParameters {
                       Range{3.0, 10000.0}, "N_c", "A cluster is searched for planes from this many segments on."},
             Parameter{"planes.min-cluster-slices", &PlaneParameters::minClusterSlices, Unit::Count, Range{2.0, 10000.0},
                       "N_c", "A cluster is searched for planes when its segments come from this many slices."},
+            Parameter{"planes.baseline-sigmas", &PlaneParameters::baselineSigmas, Unit::None, Range{0.0, 100.0}, "",
+                      "The two nearest segments of a hypothesis are at least this many standard deviations of an end "
+                      "point away."},
             Parameter{"planes.inlier-distance", &PlaneParameters::inlierDistance, Unit::Metre, Range{0.0001, 1.0}, "T",
                       "End points farther than this from a hypothesis do not support it, Eq. (14)."},
             Parameter{"planes.inlier-sigmas", &PlaneParameters::inlierSigmas, Unit::None, Range{0.0, 20.0}, "T",
@@ -198,6 +205,14 @@ struct PlaneParameters {
                       "Fewest scan points of these segments."},
             Parameter{"planes.min-extent", &PlaneParameters::minExtent, Unit::Metre, Range{0.0, 100.0}, "",
                       "Shorter extent that a plane must have at least."},
+            Parameter{"planes.min-extent-angle", &PlaneParameters::minExtentAngle, Unit::Angle,
+                      Range{0.0, degrees(45.0)}, "",
+                      "The shorter extent must span this angle at the plane's mean range at least."},
+            Parameter{"planes.max-normal-sigma", &PlaneParameters::maxNormalSigma, Unit::Angle,
+                      Range{degrees(0.01), degrees(45.0)}, "",
+                      "A new plane's normal must be known to this standard deviation."},
+            Parameter{"planes.min-incidence", &PlaneParameters::minIncidence, Unit::Angle, Range{0.0, degrees(45.0)},
+                      "", "Rays must meet a new plane at this angle on average; a slice's own plane is none."},
             Parameter{"planes.merge-angle", &PlaneParameters::mergeAngle, Unit::Angle, Range{0.0, degrees(45.0)},
                       "nu_o", "Largest angle between two planes to be merged, Eq. (21)."},
             Parameter{"planes.merge-distance", &PlaneParameters::mergeDistance, Unit::Metre, Range{0.0, 1.0},

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
-
 namespace planewright {
 
 std::vector<EndPoint> endPointsOf(const std::vector<SegmentNumber>& segments, const SegmentTable& table)
@@ -57,9 +55,7 @@ void GrowingPlane::take(SegmentNumber segment, const SegmentTable& table, const 
 void GrowingPlane::setFit(const PlaneFit& fit)
 {
     fit_ = fit;
-    covariance_ = fit.information.inverse();
-    if (!covariance_.allFinite())
-        covariance_.setZero();
+    covariance_ = covarianceOf(fit);
 }
 
 double GrowingPlane::varianceAt(const Eigen::Vector3d& point) const
@@ -67,13 +63,6 @@ double GrowingPlane::varianceAt(const Eigen::Vector3d& point) const
     Eigen::Vector3d row;
     row << fit_.tangents.transpose() * point, -1.0;
     return row.dot(covariance_ * row);
-}
-
-double GrowingPlane::normalVariance() const
-{
-    // Larger eigenvalue of the 2 × 2 block of the tangent angles.
-    const double half = 0.5 * (covariance_(0, 0) - covariance_(1, 1));
-    return 0.5 * (covariance_(0, 0) + covariance_(1, 1)) + std::hypot(half, covariance_(0, 1));
 }
 
 void GrowingPlane::changed(int step)

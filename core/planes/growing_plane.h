@@ -49,7 +49,7 @@ public:
     /// Variance of the plane's place at a point, along its normal [m²].
     double varianceAt(const Eigen::Vector3d& point) const;
     /// Largest variance of the normal's direction [rad²].
-    double normalVariance() const;
+    double normalVariance() const { return largestNormalVariance(covariance_); }
     /// E by the cost in force over the end points.
     double error() const { return fit_.error; }
     const WeightedSums& sums() const { return sums_; }

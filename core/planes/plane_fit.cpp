@@ -8,6 +8,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace planewright {
 
@@ -24,6 +25,19 @@ EndPointEquations equationsOf(const Eigen::Vector3d& normal, double distance,
 }
 
 }  // namespace
+
+Eigen::Matrix3d covarianceOf(const PlaneFit& fit)
+{
+    const Eigen::Matrix3d covariance = fit.information.inverse();
+    return covariance.allFinite() ? covariance : Eigen::Matrix3d::Zero();
+}
+
+double largestNormalVariance(const Eigen::Matrix3d& covariance)
+{
+    // Larger eigenvalue of the 2 × 2 block of the tangent angles.
+    const double half = 0.5 * (covariance(0, 0) - covariance(1, 1));
+    return 0.5 * (covariance(0, 0) + covariance(1, 1)) + std::hypot(half, covariance(0, 1));
+}
 
 void WeightedSums::add(const Eigen::Vector3d& point, double w)
 {

@@ -21,6 +21,12 @@ struct PlaneFit {
     int iterations = 0;                                                          ///< used by the refinement
 };
 
+/// Covariance of (2 tangent angles, d): the inverse of the information; zero where that is singular.
+Eigen::Matrix3d covarianceOf(const PlaneFit& fit);
+
+/// Largest variance of a plane's normal [rad²], of its covariance.
+double largestNormalVariance(const Eigen::Matrix3d& covariance);
+
 /// Weighted sums over points, enough to fit a plane to them: they add up and take away.
 struct WeightedSums {
     double weight = 0.0;

@@ -72,24 +72,35 @@ public:
                 found.members.push_back(candidates_[i].segment);
             found.fit = refinePlane(found.fit, endPointsOf(found.members, table_), parameters_);
         }
-        found.tests = availability(found);
+        found.tests = availability(found, support);
         return found;
     }
 
 private:
-    /// The two nearest candidates, by midpoint, that are of slices other than the seed's and each other's.
+    /// The two nearest candidates, by midpoint, that are of slices other than the seed's and each other's, and far
+    /// enough from the seed's line for its noise: neighbours a few millimetres apart would give a plane of any
+    /// direction.
     std::optional<std::array<std::size_t, 3>> tripleOf(std::size_t seed) const
     {
         constexpr double kFar = std::numeric_limits<double>::infinity();
+        const LineSegment& from = *segments_[seed];
+        const double variance = 0.5 * (from.startCovariance.trace() + from.endCovariance.trace());
+        const double baseline = parameters_.baselineSigmas * parameters_.baselineSigmas * variance;
         std::size_t nearest = 0;
         std::size_t second = 0;
         double nearestDistance = kFar;
         double secondDistance = kFar;
         for (std::size_t i = 0; i < segments_.size(); ++i) {
             const int step = segments_[i]->id.step;
-            if (step == segments_[seed]->id.step)
+            if (step == from.id.step)
                 continue;
-            const double distance = (midpoints_[i] - midpoints_[seed]).squaredNorm();
+            const Eigen::Vector3d away = midpoints_[i] - midpoints_[seed];
+            const double distance = away.squaredNorm();
+            if (distance >= secondDistance)
+                continue;
+            const double along = away.dot(from.direction);
+            if (distance - along * along < baseline)
+                continue;
             if (distance < nearestDistance) {
                 if (nearestDistance < kFar && segments_[nearest]->id.step != step) {
                     second = nearest;
@@ -97,7 +108,7 @@ private:
                 }
                 nearest = i;
                 nearestDistance = distance;
-            } else if (distance < secondDistance && segments_[nearest]->id.step != step) {
+            } else if (segments_[nearest]->id.step != step) {
                 second = i;
                 secondDistance = distance;
             }
@@ -243,7 +254,56 @@ private:
         return highest - lowest;
     }
 
-    std::vector<Test> availability(const FoundPlane& found) const
+    /// How a plane is seen: mean range [m] and mean sine of the angle at which rays meet it.
+    struct View {
+        double range = 0.0;
+        double incidence = 0.0;
+    };
+    View viewOf(const std::vector<SegmentNumber>& members, const PlaneFit& fit) const
+    {
+        View view;
+        for (const SegmentNumber number : members) {
+            const LineSegment& segment = table_[number];
+            const Eigen::Vector3d ray = segment.midpoint() - segment.viewpoint;
+            view.range += ray.norm();
+            view.incidence += std::abs(fit.normal.dot(ray)) / ray.norm();
+        }
+        view.range /= static_cast<double>(members.size());
+        view.incidence /= static_cast<double>(members.size());
+        return view;
+    }
+
+    /// Candidates that face the support but stand a little off the plane, as the steps of a stair do off the slope over
+    /// their edges.
+    int contradictions(const std::vector<std::size_t>& support, const PlaneFit& fit) const
+    {
+        std::vector<char> supporting(segments_.size(), 0);
+        for (const std::size_t i : support)
+            supporting[i] = 1;
+        int count = 0;
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            if (supporting[i] != 0 || !standsOff(*segments_[i], fit))
+                continue;
+            const bool faces = std::any_of(support.begin(), support.end(), [&](std::size_t j) {
+                return std::abs(segments_[i]->id.step - segments_[j]->id.step) <= kNeighbourSlices &&
+                       segments_[i]->firstBeam <= segments_[j]->lastBeam &&
+                       segments_[j]->firstBeam <= segments_[i]->lastBeam;
+            });
+            count += faces ? 1 : 0;
+        }
+        return count;
+    }
+
+    bool standsOff(const LineSegment& segment, const PlaneFit& fit) const
+    {
+        const Deviation start = deviationOf(segment.start, segment.startCovariance, fit.normal, fit.distance);
+        const Deviation end = deviationOf(segment.end, segment.endCovariance, fit.normal, fit.distance);
+        constexpr double kNear = 16.0;  // four times the inlier distance, squared
+        return (!start.inside() || !end.inside()) && start.squared < kNear * start.limit &&
+               end.squared < kNear * end.limit;
+    }
+
+    std::vector<Test> availability(const FoundPlane& found, const std::vector<std::size_t>& support) const
     {
         int slices = 0;
         int points = 0;
@@ -264,8 +324,14 @@ private:
         };
         if (found.members.empty())
             return tests;
-        tests.push_back(
-            {"extent", shorterExtent(found.members, found.fit), Comparison::GreaterEqual, parameters_.minExtent});
+        const View view = viewOf(found.members, found.fit);
+        tests.push_back({"extent", shorterExtent(found.members, found.fit), Comparison::GreaterEqual,
+                         std::max(parameters_.minExtent, view.range * std::tan(parameters_.minExtentAngle))});
+        tests.push_back({"normal_sigma", std::sqrt(largestNormalVariance(covarianceOf(found.fit))),
+                         Comparison::LessEqual, parameters_.maxNormalSigma});
+        tests.push_back({"incidence", view.incidence, Comparison::GreaterEqual, std::sin(parameters_.minIncidence)});
+        tests.push_back({"contradictions", static_cast<double>(contradictions(support, found.fit)),
+                         Comparison::LessEqual, static_cast<double>(found.members.size())});
         tests.push_back({"fitting_error", found.fit.error, Comparison::LessEqual, parameters_.errorLimit});
         return tests;
     }

@@ -78,6 +78,7 @@ LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const Scan
         cartesianCovariance(slice.ranges[first], slice.bearing(first), slice.tiltAt(first), sensor, noise);
     segment.endCovariance =
         cartesianCovariance(slice.ranges[last], slice.bearing(last), slice.tiltAt(last), sensor, noise);
+    segment.viewpoint = toCartesian(0.0, 0.0, slice.tiltAt((first + last) / 2), sensor);
     segment.startShadowed = isShadowed(points, piece.first, piece.first - 1, slice.bearingStep, parameters);
     segment.endShadowed = isShadowed(points, piece.last, piece.last + 1, slice.bearingStep, parameters);
     segment.directionSigma = std::sqrt(points.varianceAcross(piece.first, line.normal()) +

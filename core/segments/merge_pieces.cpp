@@ -14,7 +14,7 @@ namespace planewright {
 namespace {
 
 /// Echoes of neither piece that may stand between them, such as mixed pixels.
-constexpr int kForeignEchoes = 3;
+constexpr int kForeignEchoes = 0;
 
 /// Standard deviation of the direction of a piece's line [rad]: √12 σ / (L √N).
 double angleSigma(const SlicePoints& points, const PointRun& piece, const SliceLine& line)
