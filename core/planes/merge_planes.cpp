@@ -16,13 +16,16 @@ namespace {
 /// Pairs are told as nearly merged up to this many times the merge distance.
 constexpr double kNearFactor = 2.0;
 
-/// How far plane `to` is from plane `from` at an end point of the latter.
-PairDistance distanceAt(const Eigen::Vector3d& point, const GrowingPlane& from, const GrowingPlane& to,
-                        const PlaneParameters& parameters)
+/// Distance of an end point of one plane from the other, and what it may be: the merge distance on top of how far the
+/// end point may lie from its own plane, since segments were let in that far.
+PairDistance distanceAt(const EndPoint& point, const GrowingPlane& to, const Parameters& parameters)
 {
-    const Eigen::Vector3d foot = point - (from.normal().dot(point) - from.distance()) * from.normal();
-    const double sigma = std::sqrt(from.varianceAt(foot) + to.varianceAt(foot));
-    return {to.distanceTo(foot), std::max(parameters.mergeDistance, parameters.mergeSigmas * sigma)};
+    const AssignmentParameters& assignment = parameters.assignment;
+    const double pointSigma = std::sqrt(to.normal().dot(point.covariance * to.normal()));
+    const double planeSigma = std::sqrt(to.varianceAt(point.position));
+    const double allowed = std::max(assignment.planeDistance, assignment.planeDistanceSigmas * pointSigma);
+    return {to.distanceTo(point.position),
+            allowed + std::max(parameters.planes.mergeDistance, parameters.planes.mergeSigmas * planeSigma)};
 }
 
 bool worse(const PairDistance& a, const PairDistance& b)
@@ -69,12 +72,13 @@ struct Pair {
 
 /// Compares two planes for merging; none where they are out of the question.
 std::optional<Pair> compare(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
-                            const PlaneParameters& parameters)
+                            const Parameters& parameters)
 {
+    const PlaneParameters& planes = parameters.planes;
     const double alignment = std::abs(a.normal().dot(b.normal()));
     const double angleSigma = std::sqrt(a.normalVariance() + b.normalVariance());
     const double alignmentLimit =
-        std::cos(std::clamp(parameters.mergeSigmas * angleSigma, parameters.mergeAngle, 4.0 * parameters.mergeAngle));
+        std::cos(std::clamp(planes.mergeSigmas * angleSigma, planes.mergeAngle, 4.0 * planes.mergeAngle));
     if (alignment <= alignmentLimit)
         return std::nullopt;
 
@@ -84,17 +88,14 @@ std::optional<Pair> compare(const GrowingPlane& a, const GrowingPlane& b, const 
     const double errorA = a.sums().meanError(together.normal, together.distance);
     const double errorB = b.sums().meanError(together.normal, together.distance);
     const double error = std::max(errorA, errorB);
-    if (error > kNearFactor * parameters.errorLimit)
+    if (error > kNearFactor * planes.errorLimit)
         return std::nullopt;
-    const auto offset = [&](const GrowingPlane& plane) {
-        return std::abs(together.normal.dot(plane.sums().first / plane.sums().weight) - together.distance);
-    };
-    Pair pair{a.id(), b.id(), std::max(offset(a), offset(b)), {}};
-    pair.tests = {
-        {"normal_alignment", alignment, Comparison::Greater, alignmentLimit},
-        {"plane_distance", pair.distance, Comparison::Less, parameters.mergeDistance},
-        {"in_plane_gap", inPlaneGap(a, b, table, parameters.mergeGap), Comparison::LessEqual, parameters.mergeGap},
-        {"fitting_error", error, Comparison::LessEqual, parameters.errorLimit}};
+    const PairDistance distance = planePairDistance(a, b, table, parameters);
+    Pair pair{a.id(), b.id(), distance.value, {}};
+    pair.tests = {{"normal_alignment", alignment, Comparison::Greater, alignmentLimit},
+                  {"plane_distance", distance.value, Comparison::Less, distance.limit},
+                  {"in_plane_gap", inPlaneGap(a, b, table, planes.mergeGap), Comparison::LessEqual, planes.mergeGap},
+                  {"fitting_error", error, Comparison::LessEqual, planes.errorLimit}};
     return pair;
 }
 
@@ -125,13 +126,15 @@ void merge(const Pair& pair, PlaneMap& map, const Parameters& parameters, StepRe
 }  // namespace
 
 PairDistance planePairDistance(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
-                               const PlaneParameters& parameters)
+                               const Parameters& parameters)
 {
-    PairDistance worst = distanceAt(table[a.members().front()].start, a, b, parameters);
+    PairDistance worst{0.0, 1.0};
     const auto look = [&](const GrowingPlane& from, const GrowingPlane& to) {
         for (const SegmentNumber number : from.members()) {
-            for (const Eigen::Vector3d& point : {table[number].start, table[number].end}) {
-                const PairDistance here = distanceAt(point, from, to, parameters);
+            const LineSegment& segment = table[number];
+            for (const EndPoint& point :
+                 {EndPoint{segment.start, segment.startCovariance}, EndPoint{segment.end, segment.endCovariance}}) {
+                const PairDistance here = distanceAt(point, to, parameters);
                 if (worse(here, worst))
                     worst = here;
             }
@@ -166,7 +169,7 @@ void mergePlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& reco
                 continue;
             const auto& a = map.planes[std::min(i, j)];
             const auto& b = map.planes[std::max(i, j)];
-            if (auto pair = compare(a, b, map.segments, parameters.planes))
+            if (auto pair = compare(a, b, map.segments, parameters))
                 pairs.push_back(std::move(*pair));
         }
     };

@@ -19,13 +19,13 @@ struct PairDistance {
     double limit = 0.0;
 };
 
-/// Distance of two planes, Eq. (22): over the end points of each, how far the other plane is from this one there.
+/// Distance of two planes, Eq. (22): the largest distance of an end point of either to the other.
 ///
-/// Of all end points the one counts that exceeds its limit most, in proportion. An end point stands for its foot on its
-/// own plane: the raw ones stray from it by more than the distances in question. Where either plane is not known well,
-/// the limit is as many of its standard deviations as `planes.merge-sigmas` says.
+/// Of all end points the one counts that exceeds its limit most, in proportion. The limit of an end point is the merge
+/// distance (or as many standard deviations of the other plane there as `planes.merge-sigmas` says, if that is more)
+/// on top of the distance by which it may stray from its own plane, Eq. (8).
 PairDistance planePairDistance(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
-                               const PlaneParameters& parameters);
+                               const Parameters& parameters);
 
 /// Gap between the segments of two planes [m], as far as it matters: the smallest distance between a segment of one and
 /// a segment of the other, 0 where two lie in neighbouring slices and face each other; at most `enough` is looked for.
