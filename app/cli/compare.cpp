@@ -147,10 +147,10 @@ std::string asText(const Json& facts)
         text += key + std::string(24 - key.size(), ' ');
         if (value.is_object()) {
             for (const auto& [part, number] : value.items())
-                text += part + " " + number.dump() + "  ";
+                text += part + " " + valueText(number) + "  ";
             text.erase(text.find_last_not_of(' ') + 1);
         } else {
-            text += value.dump();
+            text += valueText(value);
         }
         text += "\n";
     }

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace planewright {
 
@@ -22,6 +24,17 @@ void printLine(std::string line)
 }
 
 }  // namespace
+
+void reserveStandardStreams()
+{
+    // Open for reading only: to write to a closed standard output stays an error.
+    int descriptor = 0;
+    do {
+        descriptor = ::open("/dev/null", O_RDONLY);
+    } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+    if (descriptor >= 0)
+        ::close(descriptor);
+}
 
 void printError(std::string_view message)
 {

@@ -10,6 +10,9 @@
 
 namespace planewright {
 
+/// Fills standard streams that the caller has closed, so that no file that is opened later takes their place.
+void reserveStandardStreams();
+
 /// One line on stderr, `planewright-cli: …`; control characters of foreign texts become '?'.
 void printError(std::string_view message);
 

@@ -81,17 +81,10 @@ std::vector<Fact> factsOf(const ReadRecording& read)
     };
 }
 
-std::string asText(const Json& value)
-{
-    if (value.is_string())
-        return value.get<std::string>().empty() ? "not named" : value.get<std::string>();
-    if (value.is_boolean())
-        return value.get<bool>() ? "yes" : "no";
-    return value.dump();
-}
-
 Result<ExitCode> info(const std::vector<std::string>& paths, bool asJson)
 {
+    if (const auto known = checkRecordingNames(paths); !known)
+        return tl::unexpected{known.error()};
     ExitCode worst = ExitCode::Done;
     Json all = Json::array();
     std::string text;
@@ -109,7 +102,7 @@ Result<ExitCode> info(const std::vector<std::string>& paths, bool asJson)
         text += path + "\n";
         for (const Fact& fact : factsOf(*read)) {
             file[fact.key] = fact.value;
-            text += "  " + fact.label + std::string(26 - fact.label.size(), ' ') + asText(fact.value) + "\n";
+            text += "  " + fact.label + std::string(26 - fact.label.size(), ' ') + valueText(fact.value) + "\n";
         }
         file["extra"] = Json::object();
         for (const auto& [key, value] : read->recording.description.extra) {

@@ -12,9 +12,9 @@ namespace planewright {
 using Json = nlohmann::ordered_json;
 
 /// JSON as it goes to standard output; bytes that are no UTF-8, as in foreign file names, are replaced.
-inline std::string jsonText(const Json& json)
-{
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string jsonText(const Json& json);
+
+/// One value as people read it: numbers in their shortest form, yes and no, texts without quotes.
+std::string valueText(const Json& value);
 
 }  // namespace planewright

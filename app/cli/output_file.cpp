@@ -47,7 +47,17 @@ int renameToNew(const char* from, const char* to)
         return 0;
     if (errno != EINVAL && errno != ENOSYS)
         return -1;
-    return ::link(from, to) == 0 ? ::unlink(from) : -1;
+    if (::link(from, to) == 0)
+        return ::unlink(from);
+    if (errno == EEXIST)
+        return -1;
+    // Neither is known here, as on some network and user-space file systems: look before leaping.
+    struct stat status {};
+    if (::lstat(to, &status) == 0) {
+        errno = EEXIST;
+        return -1;
+    }
+    return std::rename(from, to);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "app/cli/json_text.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/text.h"
+#include "core/formats/number_text.h"
 #include "core/params/manual_page.h"
 #include "core/params/registry.h"
 
@@ -29,7 +30,7 @@ std::string rangeText(const ParameterRow& row)
 {
     if (!row.choices.empty())
         return joined(row.choices);
-    return Json(row.lowest).dump() + " to " + Json(row.highest).dump();
+    return formatNumber(row.lowest) + " to " + formatNumber(row.highest);
 }
 
 Json asJson(const ParameterRow& row, const std::string& value)

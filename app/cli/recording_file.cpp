@@ -11,8 +11,8 @@ namespace planewright {
 
 Result<ReadRecording> readRecordingFile(const std::string& path)
 {
-    if (const auto suffix = suffixOf(path, kRecordingSuffixes, "a recording"); !suffix)
-        return tl::unexpected{suffix.error()};
+    if (const auto known = checkRecordingNames({path}); !known)
+        return tl::unexpected{known.error()};
     const auto input = openInput(path);
     if (!input)
         return tl::unexpected{input.error()};
@@ -22,6 +22,15 @@ Result<ReadRecording> readRecordingFile(const std::string& path)
             printWarning(warning);
     }
     return read;
+}
+
+Result<void> checkRecordingNames(const std::vector<std::string>& paths)
+{
+    for (const std::string& path : paths) {
+        if (const auto suffix = suffixOf(path, kRecordingSuffixes, "a recording"); !suffix)
+            return tl::unexpected{suffix.error()};
+    }
+    return {};
 }
 
 }  // namespace planewright

@@ -50,7 +50,9 @@ void handleSignals()
         if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
             ::sigaction(signal, &action, nullptr);
     }
+    // A closed pipe and the shell's limit on file sizes come as errors of write() instead.
     ::signal(SIGPIPE, SIG_IGN);
+    ::signal(SIGXFSZ, SIG_IGN);
 }
 
 SignalsHeldBack::SignalsHeldBack()

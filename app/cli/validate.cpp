@@ -7,10 +7,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/file_kind.h"
 #include "app/cli/input_file.h"
 #include "app/cli/json_text.h"
-#include "core/formats/recording_csv.h"
+#include "app/cli/recording_file.h"
 
 namespace planewright {
 
@@ -22,13 +21,11 @@ struct Verdict {
     RecordingProblems found;
 };
 
-Result<Verdict> judge(const std::string& path)
+Verdict judge(const std::string& path)
 {
-    if (const auto suffix = suffixOf(path, kRecordingSuffixes, "a recording"); !suffix)
-        return tl::unexpected{suffix.error()};
     const auto input = openInput(path);
     if (!input)
-        return Verdict{ExitCode::Unreadable, {{input.error().message}, 0, {}, false}};
+        return {ExitCode::Unreadable, {{input.error().message}, 0, {}, false}};
     Verdict verdict{ExitCode::Done, recordingProblems(**input, path)};
     if (!verdict.found.problems.empty())
         verdict.code = ExitCode::Unreadable;
@@ -56,22 +53,22 @@ std::string describe(const std::string& path, const Verdict& verdict)
 
 Result<ExitCode> validate(const std::vector<std::string>& paths, bool asJson)
 {
+    if (const auto known = checkRecordingNames(paths); !known)
+        return tl::unexpected{known.error()};
     ExitCode worst = ExitCode::Done;
     Json all = Json::array();
     std::string text;
     for (const std::string& path : paths) {
-        const Result<Verdict> verdict = judge(path);
-        if (!verdict)
-            return tl::unexpected{verdict.error()};
+        const Verdict verdict = judge(path);
         all.push_back({{"file", path},
-                       {"verdict", wordFor(verdict->code)},
-                       {"problems", verdict->found.problems},
-                       {"more_problems", verdict->found.more},
-                       {"warnings", verdict->found.warnings}});
-        text += describe(path, *verdict);
+                       {"verdict", wordFor(verdict.code)},
+                       {"problems", verdict.found.problems},
+                       {"more_problems", verdict.found.more},
+                       {"warnings", verdict.found.warnings}});
+        text += describe(path, verdict);
         // A malformed file cannot be used at all, a damaged one in part.
-        if (worst != ExitCode::Unreadable && verdict->code != ExitCode::Done)
-            worst = verdict->code;
+        if (worst != ExitCode::Unreadable && verdict.code != ExitCode::Done)
+            worst = verdict.code;
     }
     if (const auto printed = print(asJson ? jsonText(all) : text); !printed)
         return tl::unexpected{printed.error()};

@@ -4,12 +4,9 @@
 #include "core/evaluation/compare_labels.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
-#include <tuple>
 #include <unordered_map>
-
-#include "core/evaluation/coplanar_groups.h"
+#include <utility>
 
 namespace planewright {
 
@@ -17,13 +14,6 @@ namespace {
 
 using Region = LabelOverlap::Region;
 using Common = LabelOverlap::Common;
-
-/// A counted or too small group of B.
-struct Group {
-    PlaneGroup ids;
-    std::int64_t returns = 0;
-    bool counts = false;
-};
 
 /// The planes of the regions, in their order.
 Result<std::vector<ComparedPlane>> planesOf(const std::vector<Region>& regions, std::span<const ComparedPlane> planes,
@@ -47,11 +37,15 @@ Result<std::vector<ComparedPlane>> planesOf(const std::vector<Region>& regions, 
 /// The matching of regions with groups, one set of Hoover's after the other.
 class Matching {
 public:
-    Matching(const LabelOverlap& overlap, const std::vector<ComparedPlane>& planesB, const LabelMatchSettings& settings)
-        : overlap_(overlap), settings_(settings), usedA_(overlap.regionsA.size())
+    Matching(const LabelOverlap& overlap, LabelGroups groups, const LabelMatchSettings& settings)
+        : overlap_(overlap),
+          settings_(settings),
+          groups_(std::move(groups.groups)),
+          groupOf_(std::move(groups.groupOf)),
+          shared_(std::move(groups.shared)),
+          usedA_(overlap.regionsA.size()),
+          usedB_(groups_.size())
     {
-        makeGroups(planesB);
-        usedB_.resize(groups_.size());
     }
 
     LabelComparison compare(const std::vector<ComparedPlane>& planesA, const std::vector<ComparedPlane>& planesB)
@@ -64,31 +58,6 @@ public:
     }
 
 private:
-    void makeGroups(const std::vector<ComparedPlane>& planesB)
-    {
-        const std::vector<std::size_t> first = coplanarGroups(planesB);
-        groupOf_.resize(first.size());
-        for (std::size_t place = 0; place < first.size(); ++place) {
-            if (first[place] == place) {
-                groupOf_[place] = groups_.size();
-                groups_.emplace_back();
-            } else {
-                groupOf_[place] = groupOf_[first[place]];
-            }
-            Group& group = groups_[groupOf_[place]];
-            group.ids.push_back(overlap_.regionsB[place].id);
-            group.returns += overlap_.regionsB[place].returns;
-        }
-        for (Group& group : groups_)
-            group.counts = group.returns >= settings_.minReturns;
-
-        std::map<std::pair<std::size_t, std::size_t>, std::int64_t> shared;
-        for (const Common& common : overlap_.common)
-            shared[{common.a, groupOf_[common.b]}] += common.returns;
-        for (const auto& [pair, returns] : shared)
-            shared_.push_back({pair.first, pair.second, returns});
-    }
-
     static double share(std::int64_t part, std::int64_t whole)
     {
         return static_cast<double>(part) / static_cast<double>(whole);
@@ -223,7 +192,7 @@ private:
 
     const LabelOverlap& overlap_;
     const LabelMatchSettings& settings_;
-    std::vector<Group> groups_;
+    std::vector<LabelGroups::Group> groups_;
     std::vector<std::size_t> groupOf_;  ///< group of each region of B
     std::vector<Common> shared_;        ///< as LabelOverlap::common, but b is a group
     std::vector<bool> usedA_;
@@ -250,7 +219,7 @@ Result<LabelComparison> compareLabels(const LabelGrid& labelsA, const LabelGrid&
     const Result<std::vector<ComparedPlane>> seenB = planesOf(overlap->regionsB, planesB, "B");
     if (!seenB)
         return tl::unexpected{seenB.error()};
-    return Matching{*overlap, *seenB, settings}.compare(*seenA, *seenB);
+    return Matching{*overlap, groupRegions(*overlap, *seenB, settings.minReturns), settings}.compare(*seenA, *seenB);
 }
 
 }  // namespace planewright

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/evaluation/label_groups.h"
 #include "core/evaluation/label_overlap.h"
 #include "core/evaluation/plane_errors.h"
 #include "core/types/error.h"
@@ -18,9 +19,6 @@ struct LabelMatchSettings {
     double overlap = 0.5;         ///< a match shares at least this part of both regions, 0 to 1
     std::int64_t minReturns = 0;  ///< groups of B with fewer returns count neither for nor against anyone
 };
-
-/// Ids of coplanar planes of B, which form one group, in rising order.
-using PlaneGroup = std::vector<int>;
 
 /// A region of A and the group of B that it is.
 struct RegionMatch {
