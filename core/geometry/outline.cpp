@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "core/geometry/minimum_rectangle.h"
 #include "core/geometry/plane_frame.h"
 #include "core/geometry/polygon_union.h"
@@ -33,12 +35,17 @@ std::vector<const LineSegment*> segmentsOf(const Plane& plane, const SegmentLog&
     return segments;
 }
 
-/// The frame along the longest segment: strips across the sweep of the union keep it fast.
-PlaneFrame frameAlong(const Plane& plane, const std::vector<const LineSegment*>& segments)
+/// The frame along the longest segment, or across it where the slices hold more pieces than there are slices: the union
+/// sweeps along the second axis and is fast where few pieces lie side by side.
+PlaneFrame frameFor(const Plane& plane, const std::vector<const LineSegment*>& segments)
 {
     const LineSegment* longest =
         *std::ranges::max_element(segments, {}, [](const LineSegment* segment) { return segment->length(); });
-    return {plane.normal, plane.distance, longest->end - longest->start};
+    std::size_t slices = 1;
+    for (std::size_t i = 1; i < segments.size(); ++i)
+        slices += segments[i]->id.step != segments[i - 1]->id.step ? 1 : 0;
+    const Eigen::Vector3d along = longest->end - longest->start;
+    return {plane.normal, plane.distance, segments.size() > slices * slices ? plane.normal.cross(along) : along};
 }
 
 /// The step between slices where the plane was seen: more than 1 in a recording of every other slice, say.
@@ -176,7 +183,7 @@ Outline outlineOf(const Plane& plane, const SegmentLog& log)
     const std::vector<const LineSegment*> segments = segmentsOf(plane, log);
     if (segments.empty())
         return {};
-    const PlaneFrame frame = frameAlong(plane, segments);
+    const PlaneFrame frame = frameFor(plane, segments);
     PlanarRing endPoints;
     for (const LineSegment* segment : segments) {
         endPoints.push_back(frame.toPlane(segment->start));

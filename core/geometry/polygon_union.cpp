@@ -146,25 +146,18 @@ void closeCracks(const Paths& paths, double halfWidth, PolyTree& closed)
     offset.Execute(closed, -halfWidth);
 }
 
-PlanarRing ringOf(const PolyNode& node, const Grid& grid, bool counterClockwise)
-{
-    PlanarRing ring = simplifyRing(grid.fromGrid(node.Contour), kCorner);
-    if ((signedArea(ring) > 0.0) != counterClockwise)
-        std::ranges::reverse(ring);
-    return ring;
-}
-
-/// Appends the polygons of Clipper's result that are no slivers.
+/// Appends the polygons of Clipper's result that are no slivers. Clipper turns outer rings left and holes right.
 void appendPolygons(const PolyTree& tree, const Grid& grid, std::vector<PlanarPolygon>& polygons)
 {
+    const auto cornersOf = [&](const PolyNode& node) { return simplifyRing(grid.fromGrid(node.Contour), kCorner); };
     for (const PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
         if (node->IsHole())
             continue;
-        PlanarPolygon polygon{ringOf(*node, grid, true), {}};
+        PlanarPolygon polygon{cornersOf(*node), {}};
         if (signedArea(polygon.ring) < kSmallestPart)
             continue;
         for (const PolyNode* child : node->Childs) {
-            PlanarRing hole = ringOf(*child, grid, false);
+            PlanarRing hole = cornersOf(*child);
             if (signedArea(hole) < -kSmallestHole)
                 polygon.holes.push_back(std::move(hole));
         }

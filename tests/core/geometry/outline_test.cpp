@@ -90,6 +90,12 @@ private slots:
     void widthIsTheMoreLevelSide();
     void widthOfALevelPlaneIsTheLongerSide();
     void aKilometreAwayStillWorks();
+    void segmentsMayRunEitherWay();
+    void manyPiecesInFewSlicesAreStripsToo();
+    void rowsThatCrossAtRightAnglesAreNotNeighbours();
+    void aPartThatEndsStaysEnded();
+    void aSliverBesideAWallIsLeftOut();
+    void aStepBesideAnotherOneIsNotSlanted();
 };
 
 void OutlineTest::aWallIsTheRectangleOfItsSegments()
@@ -520,6 +526,94 @@ void OutlineTest::aKilometreAwayStillWorks()
 
     QVERIFY(std::abs(outline.area - 200000.0) < 1.0);
     QVERIFY(isClose(outline.width, 2000.0, 1e-3));
+}
+
+void OutlineTest::segmentsMayRunEitherWay()
+{
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 10; ++k) {
+        if (k % 2 == 0)
+            wall.slice(k, {{0.0, 0.1 * k, 2.0, 0.1 * k}, {4.0, 0.1 * k, 3.0, 0.1 * k}});
+        else
+            wall.slice(k, {{4.0, 0.1 * k, 3.0, 0.1 * k}, {2.0, 0.1 * k, 0.0, 0.1 * k}});
+    }
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(2));
+    QVERIFY(isClose(outline.area, 3.0));
+}
+
+void OutlineTest::manyPiecesInFewSlicesAreStripsToo()
+{
+    SeenPlane fence(wallAhead());
+    for (int k = 0; k <= 3; ++k) {
+        std::vector<std::pair<double, double>> boards;
+        for (int i = 0; i < 50; ++i)
+            boards.emplace_back(0.6 * i, 0.6 * i + 0.4);
+        fence.row(k, 0.1 * k, boards);
+    }
+
+    const Outline outline = fence.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(50));
+    QVERIFY(isClose(outline.area, 50 * 0.4 * 0.3));
+    QVERIFY(isClose(outline.width, 49 * 0.6 + 0.4));
+}
+
+void OutlineTest::rowsThatCrossAtRightAnglesAreNotNeighbours()
+{
+    SeenPlane floor;
+    floor.row(0, 0.0, {{-1.0, 1.0}});
+    floor.row(1, 0.2, {{-1.0, 1.0}});
+    floor.slice(2, {{0.0, 0.3, 0.0, 2.3}});
+
+    QVERIFY(isClose(floor.outline().area, 0.4));
+}
+
+void OutlineTest::aPartThatEndsStaysEnded()
+{
+    // The left half of the wall is 1 m high; a shelf hangs 5 m above it, many slices later.
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 60; ++k) {
+        if (k <= 10)
+            wall.row(k, 0.1 * k, {{0.0, 2.0}});
+        else if (k < 50)
+            wall.row(k, 0.1 * k, {{1.0, 2.0}});
+        else
+            wall.row(k, 0.1 * k, {{0.0, 0.5}, {1.0, 2.0}});
+    }
+
+    QVERIFY(isClose(wall.outline().area, 6.0 + 1.0 + 0.5));
+}
+
+void OutlineTest::aSliverBesideAWallIsLeftOut()
+{
+    // Beside the wall two segments overlap by 1 cm in rows 5 cm apart: 5 cm².
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 20; ++k) {
+        if (k == 8)
+            wall.row(k, 0.05 * k, {{0.0, 2.0}, {3.0, 3.5}});
+        else if (k == 9)
+            wall.row(k, 0.05 * k, {{0.0, 2.0}, {3.49, 4.0}});
+        else
+            wall.row(k, 0.05 * k, {{0.0, 2.0}});
+    }
+
+    const Outline outline = wall.outline();
+
+    QCOMPARE(outline.parts.size(), std::size_t(1));
+    QVERIFY(isClose(outline.area, 2.0));
+}
+
+void OutlineTest::aStepBesideAnotherOneIsNotSlanted()
+{
+    // Upwards the wall grows from 1 m to 3 m at one row and shrinks back at the row after next.
+    SeenPlane wall(wallAhead());
+    for (int k = 0; k <= 10; ++k)
+        wall.row(k, 0.1 * k, {{0.0, k >= 4 && k <= 6 ? 3.0 : 1.0}});
+
+    QVERIFY(isClose(wall.outline().area, 1.0 + 2.0 * 0.2));
 }
 
 }  // namespace planewright
