@@ -9,6 +9,9 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
+#include <utility>
+
+#include "core/geometry/ring_chains.h"
 
 namespace planewright {
 namespace {
@@ -43,18 +46,6 @@ struct Cut {
     double to;
 };
 
-/// Two stretches side by side; ends[0] is the lower end along their direction, ends[1] the upper one.
-struct Strip {
-    std::size_t before;
-    std::size_t after;
-    struct End {
-        double before;  ///< fraction on the earlier stretch
-        double after;   ///< fraction on the later stretch
-        bool stepped;   ///< both stretches end here, at places too different to be joined without further evidence
-    };
-    std::array<End, 2> ends;
-};
-
 /// The border from the end of one stretch to the end of the next, at the neighbour whose end is nearest.
 struct Border {
     double difference = std::numeric_limits<double>::infinity();
@@ -67,82 +58,6 @@ struct Border {
             *this = other;
     }
 };
-
-/// The corners of a strip on its earlier and on its later stretch [m].
-struct StripCorners {
-    Eigen::Vector2d beforeLow;
-    Eigen::Vector2d beforeHigh;
-    Eigen::Vector2d afterLow;
-    Eigen::Vector2d afterHigh;
-};
-
-/// Makes rings of strips. Strips that share a whole side become one ring: its winding number at any point is the sum
-/// of theirs, so that the union stays the same and has far fewer rings to unite.
-class RingChains {
-public:
-    explicit RingChains(std::size_t stretches) : chainAt_(stretches, kNone) {}
-
-    void add(const Strip& strip, const StripCorners& corners);
-    std::vector<PlanarRing> rings() const;
-
-private:
-    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    struct Chain {
-        bool turned;  ///< the lower side is on the right
-        std::array<Strip::End, 2> ends;
-        PlanarRing low;   ///< its lower side from the first stretch to the last
-        PlanarRing high;  ///< its upper side
-    };
-
-    std::vector<Chain> chains_;
-    std::vector<std::size_t> chainAt_;  // per stretch: the chain whose last stretch it is
-};
-
-void RingChains::add(const Strip& strip, const StripCorners& c)
-{
-    const Eigen::Vector2d before = c.beforeHigh - c.beforeLow;
-    const Eigen::Vector2d after = c.afterHigh - c.afterLow;
-    // Signed distances (times a length) of each stretch's ends from the line of the other one.
-    const double afterLow = cross(before, c.afterLow - c.beforeLow);
-    const double afterHigh = cross(before, c.afterHigh - c.beforeLow);
-    const double beforeLow = cross(after, c.beforeLow - c.afterLow);
-    const double beforeHigh = cross(after, c.beforeHigh - c.afterLow);
-    if (afterLow * afterHigh < 0.0 && beforeLow * beforeHigh < 0.0) {
-        // Near the pitch axis, and where slices come out of order, the stretches cross.
-        const Eigen::Vector2d crossing = c.beforeLow + beforeLow / (beforeLow - beforeHigh) * before;
-        chains_.push_back({afterLow < 0.0, strip.ends, {c.beforeLow, c.afterLow}, {crossing}});
-        chains_.push_back({afterHigh < 0.0, strip.ends, {crossing}, {c.beforeHigh, c.afterHigh}});
-        return;
-    }
-    const double doubledArea =
-        cross(c.afterHigh - c.beforeLow, c.afterLow - c.beforeLow) + cross(before, c.afterHigh - c.beforeLow);
-    const bool turned = doubledArea < 0.0;
-    std::size_t& chain = chainAt_[strip.before];
-    if (chain != kNone && chains_[chain].turned == turned && chains_[chain].ends[0].after == strip.ends[0].before &&
-        chains_[chain].ends[1].after == strip.ends[1].before) {
-        chains_[chain].ends = strip.ends;
-        chains_[chain].low.push_back(c.afterLow);
-        chains_[chain].high.push_back(c.afterHigh);
-        chainAt_[strip.after] = chain;
-        chain = kNone;
-    } else {
-        chainAt_[strip.after] = chains_.size();
-        chains_.push_back({turned, strip.ends, {c.beforeLow, c.afterLow}, {c.beforeHigh, c.afterHigh}});
-    }
-}
-
-std::vector<PlanarRing> RingChains::rings() const
-{
-    std::vector<PlanarRing> rings;
-    for (const Chain& chain : chains_) {
-        PlanarRing ring = chain.high;
-        ring.insert(ring.end(), chain.low.rbegin(), chain.low.rend());
-        if (chain.turned)
-            std::ranges::reverse(ring);
-        rings.push_back(std::move(ring));
-    }
-    return rings;
-}
 
 /// Removes cuts from pieces; both in order along the row.
 std::vector<Piece> without(const std::vector<Piece>& pieces, const std::vector<Cut>& cuts,

@@ -82,4 +82,25 @@ inline double areaSeenFrom(const Eigen::Vector3d& normal, const std::vector<Eige
     return 0.5 * normal.dot(doubled);
 }
 
+/// What rounding to micrometres may change on lengths and areas of a few metres.
+inline constexpr double kGrid = 1e-4;
+
+inline bool isClose(double a, double b, double tolerance = kGrid)
+{
+    return std::abs(a - b) <= tolerance;
+}
+
+/// A wall 3 m × 2 m in 21 rows with a window 1 m × 0.8 m: rows 6 to 14 are interrupted from x = 1 to 2.
+inline SeenPlane wallWithWindow(const Eigen::Isometry3d& pose)
+{
+    SeenPlane wall(pose);
+    for (int k = 0; k <= 20; ++k) {
+        if (k >= 6 && k <= 14)
+            wall.row(k, 0.1 * k, {{0.0, 1.0}, {2.0, 3.0}});
+        else
+            wall.row(k, 0.1 * k, {{0.0, 3.0}});
+    }
+    return wall;
+}
+
 }  // namespace planewright
