@@ -79,7 +79,7 @@ struct SegmentParameters {
                       "d_o", "The merge gap is never less than this many distances between beams at that range."},
             Parameter{"segments.min-length", &SegmentParameters::minLength, Unit::Metre, Range{0.0, 10.0}, "L_min",
                       "Shorter segments are removed, Eq. (5)."},
-            Parameter{"segments.min-points", &SegmentParameters::minPoints, Unit::Count, Range{2.0, 1000.0}, "N_e",
+            Parameter{"segments.min-points", &SegmentParameters::minPoints, Unit::Count, Range{4.0, 1000.0}, "N_e",
                       "Segments of fewer scan points are removed, Eq. (5)."},
         };
     }
@@ -88,7 +88,7 @@ struct SegmentParameters {
 /// When a segment joins a plane (section 4.1.4).
 struct AssignmentParameters {
     double planeDistance = 0.03;
-    double planeDistanceSigmas = 3.0;
+    double planeDistanceSigmas = 3.5;
     double orthogonality = degrees(5.0);
     double orthogonalitySigmas = 3.0;
     int refitEvery = 10;
@@ -156,7 +156,7 @@ struct PlaneParameters {
     int minClusterSlices = 4;
     double baselineSigmas = 4.0;
     double inlierDistance = 0.03;
-    double inlierSigmas = 3.0;
+    double inlierSigmas = 2.5;
     double errorLimit = 4.0;
     double refineTolerance = 1e-6;
     int refineIterations = 10;
@@ -169,9 +169,9 @@ struct PlaneParameters {
     double minIncidence = degrees(3.0);
     double mergeAngle = degrees(5.0);
     double mergeDistance = 0.025;
-    double mergeSigmas = 3.0;
+    double mergeSigmas = 5.0;
     double mergeGap = 0.5;
-    double mergeShare = 0.75;
+    double mergeShare = 0.6;
 
     static constexpr auto describe()
     {

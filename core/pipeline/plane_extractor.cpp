@@ -8,6 +8,7 @@
 #include "core/planes/assign_to_planes.h"
 #include "core/planes/fit_planes.h"
 #include "core/planes/fit_remaining_segments.h"
+#include "core/planes/reassign_segments.h"
 #include "core/planes/split_and_merge.h"
 
 namespace planewright {
@@ -80,6 +81,7 @@ std::shared_ptr<const Snapshot> PlaneExtractor::finish()
     fitPlanes(map_, parameters_, recorder, true);
     fitRemainingSegments(map_, parameters_, recorder);
     splitAndMerge(recorder);
+    reassignSegments(map_, parameters_, recorder);
     fitRemainingSegments(map_, parameters_, recorder);
     for (GrowingPlane& plane : map_.planes)
         plane.refine(map_.segments, parameters_.planes, map_.step);

@@ -25,12 +25,25 @@ GrowingPlane::GrowingPlane(PlaneId id, const PlaneFit& fit, std::vector<SegmentN
     : id_(id), bornStep_(step), changedStep_(step)
 {
     setFit(fit);
-    extremes_.fill(table[members.front()].start);
+    setMembers(std::move(members), table, parameters, step);
+    revision_ = 0;
+    refinedAt_ = members_.size();
+}
+
+void GrowingPlane::setMembers(std::vector<SegmentNumber> members, const SegmentTable& table,
+                              const PlaneParameters& parameters, int step)
+{
     std::sort(members.begin(), members.end());
+    if (members == members_)
+        return;
+    sums_ = {};
+    moments_ = {};
+    if (!members.empty())
+        extremes_.fill(table[members.front()].start);
     for (const SegmentNumber segment : members)
         take(segment, table, parameters);
     members_ = std::move(members);
-    refinedAt_ = members_.size();
+    changed(step);
 }
 
 void GrowingPlane::take(SegmentNumber segment, const SegmentTable& table, const PlaneParameters& parameters)

@@ -30,6 +30,10 @@ public:
     /// Takes over all of another plane's segments, and refines over all.
     void absorb(const GrowingPlane& other, const SegmentTable& table, const PlaneParameters& parameters, int step);
 
+    /// Replaces the segments; the plane stays where it is until it is refined.
+    void setMembers(std::vector<SegmentNumber> members, const SegmentTable& table, const PlaneParameters& parameters,
+                    int step);
+
     /// Fits the plane to its sums, or refines it over all end points when it has grown much since that was done last.
     void refit(const SegmentTable& table, const PlaneParameters& parameters, int step);
 

@@ -25,6 +25,17 @@ GrowingPlane& PlaneMap::makePlane(const PlaneFit& fit, std::vector<SegmentNumber
     return planes.back();
 }
 
+void PlaneMap::takeMembersFromOwners(const PlaneParameters& parameters)
+{
+    std::vector<std::vector<SegmentNumber>> members(static_cast<std::size_t>(nextPlane));
+    for (SegmentNumber number = 0; number < segments.size(); ++number) {
+        if (segments.owner(number) != kNoPlane)
+            members[static_cast<std::size_t>(segments.owner(number))].push_back(number);
+    }
+    for (GrowingPlane& growing : planes)
+        growing.setMembers(std::move(members[static_cast<std::size_t>(growing.id())]), segments, parameters, step);
+}
+
 void PlaneMap::removeOwnedFromClusters()
 {
     clusters.remove([this](SegmentNumber segment) { return segments.owner(segment) != kNoPlane; });

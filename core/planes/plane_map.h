@@ -25,6 +25,9 @@ struct PlaneMap {
     /// Makes a plane of a fit and marks its segments as its own.
     GrowingPlane& makePlane(const PlaneFit& fit, std::vector<SegmentNumber> members, const PlaneParameters& parameters);
 
+    /// Gives every plane the segments that the table says are its own, after owners were changed there.
+    void takeMembersFromOwners(const PlaneParameters& parameters);
+
     /// Takes the segments that belong to a plane out of the clusters.
     void removeOwnedFromClusters();
 };

@@ -13,49 +13,41 @@ namespace {
 /// How many points beside a division may change sides.
 constexpr int kMovablePoints = 6;
 
-/// The line of a piece without the given number of points at its two ends, or none if fewer than three remain.
-bool innerLine(const SlicePoints& points, const PointRun& piece, int cutFirst, int cutLast, SliceLine& line)
+/// Points that a piece must have for a line that does not rest on the points at its ends.
+constexpr int kShortestPiece = 4;
+
+/// Points at the end of a piece that are in question: few enough for a line through the others.
+int movablePoints(const PointRun& piece)
 {
-    const PointRun inner{piece.first + cutFirst, piece.last - cutLast};
-    if (inner.points() < 3)
-        return false;
-    line = points.lineThrough(inner);
-    return true;
+    return std::clamp(piece.points() / 3, 1, kMovablePoints);
 }
 
 /// Moves the border between two pieces that meet at a division to where their lines say it is.
 ///
-/// On entry left.last is the division and right.first the point after it.
+/// Points between them belong to neither so far. Both have at least kShortestPiece points, and keep three.
 void settleBorder(const SlicePoints& points, PointRun& left, PointRun& right, const SegmentParameters& parameters)
 {
-    // The lines are taken without the points in question, as far as the pieces are long enough.
-    const auto cut = [](const PointRun& piece) { return std::min(kMovablePoints, std::max(1, piece.points() / 3)); };
-    SliceLine leftLine;
-    SliceLine rightLine;
-    const bool leftFits = innerLine(points, left, 0, cut(left), leftLine);
-    const bool rightFits = innerLine(points, right, cut(right), 0, rightLine);
-    if (!leftFits && !rightFits)
-        return;
-
-    const int low = leftFits ? left.last - cut(left) + 1 : left.last;
-    const int high = rightFits ? right.first + cut(right) - 1 : right.first;
+    const int low = left.last - movablePoints(left) + 1;
+    const int high = right.first + movablePoints(right) - 1;
+    const SliceLine leftLine = points.lineThrough({left.first, low - 1});
+    const SliceLine rightLine = points.lineThrough({high + 1, right.last});
     const auto within = [&](const SliceLine& line, int beam) {
         return line.distanceTo(points[beam]) <= splitDistance(points, beam, line.normal(), parameters);
     };
-    // Of all borders in reach, the one with the smallest sum of squared distances to the two lines.
-    const auto cost = [&](bool fits, const SliceLine& line, int beam) {
-        const Eigen::Vector2d across = fits ? line.normal() : (leftFits ? leftLine : rightLine).normal();
-        const double limit = splitDistance(points, beam, across, parameters);
-        const double distance = fits ? line.distanceTo(points[beam]) : limit;
+    // Of all borders in reach, the one with the smallest sum of squared distances to the two lines, where a point of
+    // neither counts as much as one at the limit.
+    const auto cost = [&](const SliceLine& line, int beam) {
+        const double limit = splitDistance(points, beam, line.normal(), parameters);
+        const double distance = line.distanceTo(points[beam]);
         return std::min(distance * distance, limit * limit);
     };
     double sum = 0.0;
     for (int beam = low; beam <= high; ++beam)
-        sum += cost(rightFits, rightLine, beam);
+        sum += cost(rightLine, beam);
     double best = sum;
     int border = low;  // first beam of the right piece
     for (int beam = low; beam <= high; ++beam) {
-        sum += cost(leftFits, leftLine, beam) - cost(rightFits, rightLine, beam);
+        sum += cost(leftLine, beam) - cost(rightLine, beam);
         if (sum < best) {
             best = sum;
             border = beam + 1;
@@ -64,9 +56,9 @@ void settleBorder(const SlicePoints& points, PointRun& left, PointRun& right, co
     left.last = border - 1;
     right.first = border;
     // A point that fits neither line, such as a mixed pixel between two depths, ends no piece.
-    while (leftFits && left.points() > 2 && left.last >= low && !within(leftLine, left.last))
+    while (left.last >= low && !within(leftLine, left.last))
         --left.last;
-    while (rightFits && right.points() > 2 && right.first <= high && !within(rightLine, right.first))
+    while (right.first <= high && !within(rightLine, right.first))
         ++right.first;
 }
 
@@ -123,13 +115,16 @@ void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const Se
     }
 
     // Neighbours share their point of division so far; from here on it belongs to the left one alone until settled.
+    // Pieces too short for a line of their own only take part as points between their neighbours.
     for (std::size_t i = begin + 1; i < pieces.size(); ++i)
         ++pieces[i].first;
-    for (std::size_t i = begin + 1; i < pieces.size(); ++i) {
-        if (pieces[i].points() >= 1 && pieces[i - 1].points() >= 1)
-            settleBorder(points, pieces[i - 1], pieces[i], parameters);
+    if (pieces.size() > begin + 1) {
+        const auto tooShort = [](const PointRun& piece) { return piece.points() < kShortestPiece; };
+        pieces.erase(std::remove_if(pieces.begin() + static_cast<std::ptrdiff_t>(begin), pieces.end(), tooShort),
+                     pieces.end());
     }
-    std::erase_if(pieces, [&](const PointRun& piece) { return piece.points() < 2; });
+    for (std::size_t i = begin + 1; i < pieces.size(); ++i)
+        settleBorder(points, pieces[i - 1], pieces[i], parameters);
 }
 
 }  // namespace planewright

@@ -20,8 +20,8 @@ int farthestFromChord(const SlicePoints& points, const PointRun& run, const Segm
 ///
 /// A run is divided at the point farthest from the chord between its ends until none is farther than h_o. A point of
 /// division, and the few next to it, then go to that one of the two pieces whose line is nearer, since a point of the
-/// other wall as an end point would tilt the segment. Pieces come in bearing order, are appended, do not overlap, and
-/// hold at least two points.
+/// other wall as an end point would tilt the segment. Pieces come in bearing order, are appended and do not overlap.
+/// A run that needs no split stays whole; otherwise pieces of fewer than four points are left out.
 void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const SegmentParameters& parameters,
                         std::vector<PointRun>& pieces);
 

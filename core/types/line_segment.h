@@ -49,9 +49,9 @@ struct LineSegment {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();       ///< δ = (u − v)/|u − v|
     Eigen::Matrix3d startCovariance = Eigen::Matrix3d::Zero();  ///< C of u, Eq. (15) [m²]
     Eigen::Matrix3d endCovariance = Eigen::Matrix3d::Zero();    ///< C of v, Eq. (15) [m²]
-    Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();  ///< where the laser stood [m]
-    bool startShadowed = false;  ///< beyond the start point something nearer hides whatever follows
-    bool endShadowed = false;    ///< the same beyond the end point
+    Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();        ///< where the laser stood [m]
+    bool startShadowed = false;   ///< beyond the start point something nearer hides whatever follows
+    bool endShadowed = false;     ///< the same beyond the end point
     double directionSigma = 0.0;  ///< standard deviation of the direction in the slice [rad]
     double rms = 0.0;             ///< of the points about their own line [m]
     PointMoments moments;         ///< of all its points
