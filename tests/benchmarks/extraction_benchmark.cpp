@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "core/pipeline/plane_extractor.h"
+#include "core/simulation/nodding_scanner.h"
+
+using namespace planewright;
+
+namespace {
+
+using Milliseconds = std::chrono::duration<double, std::milli>;
+using SteadyClock = std::chrono::steady_clock;
+
+/// Segments and median time of each of the eight settings of Table X.
+std::map<int, std::pair<double, double>> tableX;
+
+struct Run {
+    double total = 0.0;         ///< [ms], from slices in memory to planes
+    std::vector<double> steps;  ///< [ms] each, the last pass last
+    double segments = 0.0;
+    double planes = 0.0;
+};
+
+Run extract(const Recording& recording)
+{
+    Run run;
+    run.steps.reserve(recording.slices.size() + 1);
+    const auto start = SteadyClock::now();
+    PlaneExtractor extractor(sensorOf(recording.description), {});
+    auto before = start;
+    const auto lap = [&] {
+        const auto now = SteadyClock::now();
+        run.steps.push_back(Milliseconds(now - before).count());
+        before = now;
+    };
+    for (const ScanSlice& slice : recording.slices) {
+        extractor.step(slice);
+        lap();
+    }
+    const auto found = extractor.finish();
+    lap();
+    run.total = Milliseconds(before - start).count();
+    run.segments = static_cast<double>(found->segments.segmentCount());
+    run.planes = static_cast<double>(found->planes.size());
+    return run;
+}
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+/// Extracts one scan again and again; a step's time is its median over the repeats, so that a hiccup of the machine is
+/// not taken for a slow step.
+void measure(benchmark::State& state, const std::string& scene, const std::string& settings, int columnOfTableX)
+{
+    const SimulatedScan scan =
+        simulate(*makeScene(scene, 1), *acquisitionSettings(settings), *simulationNoise("default"), 1);
+    std::vector<double> totals;
+    std::vector<std::vector<double>> steps(scan.recording.slices.size() + 1);
+    Run run;
+    for ([[maybe_unused]] const auto _ : state) {
+        run = extract(scan.recording);
+        state.SetIterationTime(run.total / 1000.0);
+        totals.push_back(run.total);
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            steps[i].push_back(run.steps[i]);
+    }
+    double slowest = 0.0;
+    for (const auto& times : steps)
+        slowest = std::max(slowest, median(times));
+    state.counters["median_ms"] = median(totals);
+    state.counters["slowest_step_ms"] = slowest;
+    state.counters["last_pass_ms"] = median(steps.back());
+    state.counters["segments"] = run.segments;
+    state.counters["planes"] = run.planes;
+    if (columnOfTableX > 0)
+        tableX[columnOfTableX] = {run.segments, median(totals)};
+}
+
+/// Slope and share of variance explained (R²) of the straight line y over x.
+std::pair<double, double> lineThrough(const std::vector<double>& x, const std::vector<double>& y)
+{
+    const auto n = static_cast<double>(x.size());
+    double mx = 0.0;
+    double my = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        mx += x[i] / n;
+        my += y[i] / n;
+    }
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xx += (x[i] - mx) * (x[i] - mx);
+        xy += (x[i] - mx) * (y[i] - my);
+        yy += (y[i] - my) * (y[i] - my);
+    }
+    return {xy / xx, xy * xy / (xx * yy)};
+}
+
+void reportGrowth()
+{
+    std::vector<double> segments;
+    std::vector<double> times;
+    std::vector<double> logSegments;
+    std::vector<double> logTimes;
+    for (const auto& [column, measured] : tableX) {
+        segments.push_back(measured.first);
+        times.push_back(measured.second);
+        logSegments.push_back(std::log(measured.first));
+        logTimes.push_back(std::log(measured.second));
+    }
+    const auto [slope, fit] = lineThrough(segments, times);
+    const auto [exponent, logFit] = lineThrough(logSegments, logTimes);
+    std::printf("Table X, time against segments: %.2f us a segment, R2 %.4f; exponent %.3f (log-log R2 %.4f)\n",
+                1000.0 * slope, fit, exponent, logFit);
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    const auto add = [](const std::string& scene, const std::string& settings, int column) {
+        benchmark::RegisterBenchmark((scene + "/" + settings).c_str(), measure, scene, settings, column)
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond)
+            ->MinTime(0.5);
+    };
+    for (const char* scene : {"corridor", "office", "hall"})
+        add(scene, "table8", 0);
+    for (int column = 1; column <= 8; ++column)
+        add("office", "table10-" + std::to_string(column), column);
+    add("office", "largest", 0);
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv))
+        return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    if (tableX.size() == 8)
+        reportGrowth();
+    return 0;
+}
