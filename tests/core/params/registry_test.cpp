@@ -195,7 +195,7 @@ void RegistryTest::aRefusalNamesTheKeyTheValueAndWhatIsAllowed_data()
         << "parameter segments.incidence-limit: '0.5' is not allowed; give a number from 1 to 45 deg";
     QTest::newRow("segments.min-points")
         << "7.5"
-        << "parameter segments.min-points: '7.5' is not allowed; give a whole number from 2 to 1000";
+        << "parameter segments.min-points: '7.5' is not allowed; give a whole number from 4 to 1000";
     QTest::newRow("clusters.decay") << "2"
                                     << "parameter clusters.decay: '2' is not allowed; give a number from 0 to 1";
     QTest::newRow("clusters.average") << "mean"
