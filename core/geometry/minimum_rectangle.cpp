@@ -30,7 +30,7 @@ PlanarRing convexHull(PlanarRing points)
     std::ranges::sort(points, [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
     });
-    points.erase(std::ranges::unique(points).begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 3)
         return points;
     PlanarRing hull;

@@ -102,7 +102,7 @@ Ring canonicalRing(const PlanarRing& planar, const PlaneFrame& frame)
     ring.reserve(planar.size());
     for (const Eigen::Vector2d& point : planar)
         ring.push_back(frame.toSpace(point));
-    std::ranges::rotate(ring, std::ranges::min_element(ring, comesBefore));
+    std::rotate(ring.begin(), std::ranges::min_element(ring, comesBefore), ring.end());
     return ring;
 }
 

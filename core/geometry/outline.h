@@ -40,7 +40,7 @@ struct Outline {
 /// Width and height are the sides of the rectangle of least area in the plane around all parts. Width is the more
 /// horizontal one; where both are level within 10° (floor, ceiling, table), it is the longer one.
 ///
-/// `segments` is the log that the plane's segments belong to. A plane without segments gives an empty outline.
-Outline outlineOf(const Plane& plane, const SegmentLog& segments);
+/// `log` is the one that the plane's segments belong to. A plane without segments gives an empty outline.
+Outline outlineOf(const Plane& plane, const SegmentLog& log);
 
 }  // namespace planewright

@@ -58,8 +58,8 @@ TrapezoidSweep::TrapezoidSweep(const std::vector<PlanarRing>& rings)
             levels_.push_back(point.y());
     }
     std::ranges::sort(levels_);
-    levels_.erase(std::ranges::unique(levels_, [](double a, double b) { return b - a <= kSameLevel; }).begin(),
-                  levels_.end());
+    const auto sameLevel = [](double a, double b) { return b - a <= kSameLevel; };
+    levels_.erase(std::unique(levels_.begin(), levels_.end(), sameLevel), levels_.end());
     corners_.resize(levels_.size());
 
     for (const PlanarRing& ring : rings) {
@@ -139,7 +139,7 @@ void TrapezoidSweep::sweep()
     }
     for (std::vector<double>& corners : corners_) {
         std::ranges::sort(corners);
-        corners.erase(std::ranges::unique(corners).begin(), corners.end());
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     }
 }
 

@@ -208,7 +208,7 @@ void OutlineTest::interlacedSlicesWithRaggedEndsGiveOnePart()
     std::mt19937_64 random(7);
     for (int k = 0; k < 120; ++k) {
         const double shift = 0.02 * (k % 4);
-        const double y = 0.05 * (k / 4) + 0.002 * deterministicUniform(random);
+        const double y = 0.05 * std::floor(k / 4.0) + 0.002 * deterministicUniform(random);
         wall.row(k, y, {{shift, 2.92 + shift}});
     }
 
@@ -309,6 +309,7 @@ void OutlineTest::manyPiecesInFewSlicesAreStripsToo()
     SeenPlane fence(wallAhead());
     for (int k = 0; k <= 3; ++k) {
         std::vector<std::pair<double, double>> boards;
+        boards.reserve(50);
         for (int i = 0; i < 50; ++i)
             boards.emplace_back(0.6 * i, 0.6 * i + 0.4);
         fence.row(k, 0.1 * k, boards);

@@ -50,6 +50,7 @@ struct SeenPlane {
     void row(int step, double y, const std::vector<std::pair<double, double>>& stretches)
     {
         std::vector<Ends> ends;
+        ends.reserve(stretches.size());
         for (const auto& [from, to] : stretches)
             ends.push_back({from, y, to, y});
         slice(step, ends);
