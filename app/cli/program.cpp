@@ -18,8 +18,9 @@ namespace {
 ExitCode refuse(const CLI::App& program, const CLI::ParseError& error)
 {
     const std::vector<std::string> rest = program.remaining();
-    if (program.get_subcommands().empty() && !rest.empty() && !rest.front().starts_with('-')) {
-        printError("there is no command '" + rest.front() + "'; see 'planewright-cli --help'");
+    if (program.get_subcommands().empty() && (rest.empty() || !rest.front().starts_with('-'))) {
+        printError((rest.empty() ? "give a command" : "there is no command '" + rest.front() + "'") +
+                   "; see 'planewright-cli --help'");
         return ExitCode::Usage;
     }
     std::string name = "planewright-cli";

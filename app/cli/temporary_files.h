@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include <csignal>
 #include <cstddef>
-#include <signal.h>
 #include <string>
 
 namespace planewright {
@@ -13,7 +13,7 @@ namespace planewright {
 inline constexpr std::size_t kMaxTemporaryFiles = 64;
 
 /// From here on SIGINT, SIGTERM and SIGHUP remove the temporary files and end the program with 128 + signal, and a
-/// closed pipe is an error of writing instead of a signal.
+/// closed pipe or a limit on file sizes is an error of writing instead of a signal.
 void handleSignals();
 
 /// Holds these signals back while it lives: what happens meanwhile happens wholly or not at all.

@@ -67,6 +67,7 @@ std::vector<LabelOverlap::Region> regionsOf(std::vector<int> ids)
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     std::vector<LabelOverlap::Region> regions;
+    regions.reserve(ids.size());
     for (const int id : ids)
         regions.push_back({id, 0, 0});
     return regions;

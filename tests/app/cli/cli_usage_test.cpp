@@ -61,7 +61,7 @@ void CliUsageTest::wrongUsageIsOneLineThatPointsToHelp_data()
     const QString all = "'planewright-cli --help'";
     const QString extract = "'planewright-cli extract --help'";
     const QString compare = "'planewright-cli compare --help'";
-    QTest::newRow("nothing") << QStringList{} << "subcommand" << all;
+    QTest::newRow("nothing") << QStringList{} << "give a command" << all;
     QTest::newRow("unknown command") << QStringList{"frobnicate"} << "frobnicate" << all;
     QTest::newRow("unknown option") << QStringList{"extract", "a.csv", "--frob"} << "--frob" << extract;
     QTest::newRow("no input") << QStringList{"extract"} << "INPUT" << extract;
