@@ -390,6 +390,8 @@ void ArchitectureTest::aLongSourceIsFound()
 {
     QVERIFY(checkLength("core/a.cpp", std::string(400, '\n')).empty());
     QCOMPARE(checkLength("core/a.cpp", std::string(401, '\n')).size(), std::size_t(1));
+    QVERIFY(checkLength("tests/core/a_test.cpp", std::string(600, '\n')).empty());
+    QCOMPARE(checkLength("tests/core/a_test.cpp", std::string(601, '\n')).size(), std::size_t(1));
     QVERIFY(checkLength("core/README.md", std::string(401, '\n')).empty());
 }
 

@@ -21,7 +21,7 @@ bool needsLicenceLines(std::string_view path, std::string_view text);
 /// The two SPDX lines stand first in a file, after the line that names a script's interpreter.
 Offences checkLicenceLines(std::string_view path, std::string_view text);
 
-/// A source file has at most 400 lines.
+/// A source file has at most 400 lines, a test 600: facts about one subject are listed, not nested.
 Offences checkLength(std::string_view path, std::string_view text);
 
 }  // namespace planewright::architecture
