@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include <Eigen/Geometry>
 #include <QTest>
 
 #include "core/formats/recording_csv.h"
@@ -62,7 +63,6 @@ class RealRecordingsTest : public QObject {
 
 private slots:
     void theLobbyHasAFloorAndWallsAtRightAngles();
-    void theLobbyHasStairTreads();
     void theDeskHasATopAndWallsBehindIt();
 };
 
@@ -82,22 +82,6 @@ void RealRecordingsTest::theLobbyHasAFloorAndWallsAtRightAngles()
     }
     // One on the right at 4.8 m, on the left the wall and what stands before it.
     QVERIFY(walls >= 3);
-}
-
-void RealRecordingsTest::theLobbyHasStairTreads()
-{
-    const auto lobby = planesOf("lobby.csv.gz");
-
-    // The flight begins 5 m ahead; its first treads lie below the scanner and are seen.
-    const auto treads = std::count_if(lobby->planes.begin(), lobby->planes.end(), [&](const auto& plane) {
-        if (std::abs(plane->normal.z()) < std::cos(degrees(10.0)))
-            return false;
-        Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-        for (const SegmentId& id : plane->segments)
-            mean += lobby->segments[id].midpoint() / static_cast<double>(plane->segments.size());
-        return mean.y() > 4.9 && mean.y() < 7.0 && mean.z() > -0.45 && mean.z() < 0.2;
-    });
-    QVERIFY(treads >= 2);
 }
 
 void RealRecordingsTest::theDeskHasATopAndWallsBehindIt()
