@@ -55,6 +55,7 @@ void addErrors(Json& facts, const PlaneErrors& errors)
 std::vector<ComparedPlane> compared(const std::vector<PlaneRecord>& records)
 {
     std::vector<ComparedPlane> planes;
+    planes.reserve(records.size());
     for (const PlaneRecord& record : records)
         planes.push_back({record.id, record.normal, record.distance});
     return planes;

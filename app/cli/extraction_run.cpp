@@ -45,6 +45,7 @@ template <class Pick>
 nanoseconds medianOver(const std::vector<RunTimes>& runs, Pick pick)
 {
     std::vector<nanoseconds> values;
+    values.reserve(runs.size());
     for (const RunTimes& run : runs)
         values.push_back(pick(run));
     return percentile(std::move(values), 0.5);

@@ -81,6 +81,13 @@ std::vector<Fact> factsOf(const ReadRecording& read)
     };
 }
 
+std::string factLine(const std::string& label, const std::string& value)
+{
+    constexpr std::size_t kColumn = 26;
+    const std::string blanks(label.size() < kColumn ? kColumn - label.size() : 1, ' ');
+    return "  " + label + blanks + value + "\n";
+}
+
 Result<ExitCode> info(const std::vector<std::string>& paths, bool asJson)
 {
     if (const auto known = checkRecordingNames(paths); !known)
@@ -102,12 +109,12 @@ Result<ExitCode> info(const std::vector<std::string>& paths, bool asJson)
         text += path + "\n";
         for (const Fact& fact : factsOf(*read)) {
             file[fact.key] = fact.value;
-            text += "  " + fact.label + std::string(26 - fact.label.size(), ' ') + valueText(fact.value) + "\n";
+            text += factLine(fact.label, valueText(fact.value));
         }
         file["extra"] = Json::object();
         for (const auto& [key, value] : read->recording.description.extra) {
             file["extra"][key] = value;
-            text += "  " + key + " = " + value + "\n";
+            text += factLine(key, value);
         }
         all.push_back(std::move(file));
     }

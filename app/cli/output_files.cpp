@@ -52,7 +52,7 @@ Result<void> OutputFiles::publish()
     const SignalsHeldBack heldBack;
     std::stable_partition(files_.begin(), files_.end(), [](const auto& file) { return !file->replaces(); });
     for (const auto& file : files_) {
-        const Result<void> published = file->publish();
+        Result<void> published = file->publish();
         if (published)
             continue;
         for (const auto& other : files_)

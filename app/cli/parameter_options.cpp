@@ -37,6 +37,7 @@ std::string ownPreset(const std::string& name)
 std::vector<std::string_view> namesOf(const std::vector<Preset>& presets)
 {
     std::vector<std::string_view> names;
+    names.reserve(presets.size());
     for (const Preset& preset : presets)
         names.push_back(preset.name);
     return names;
