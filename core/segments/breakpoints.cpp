@@ -8,12 +8,22 @@
 
 namespace planewright {
 
-double breakpointDistance(double range, double bearingStep, const SegmentParameters& parameters,
-                          const NoiseParameters& noise)
+namespace {
+
+/// Gap between neighbouring points of one surface in proportion to the range: the first term of Eq. (3).
+double gapPerRange(double bearingStep, const SegmentParameters& parameters)
 {
     // A scanner coarser than half the incidence limit would make the denominator vanish.
     const double margin = std::max(parameters.incidenceLimit - bearingStep, 0.5 * parameters.incidenceLimit);
-    return range * std::sin(bearingStep) / std::sin(margin) +
+    return std::sin(bearingStep) / std::sin(margin);
+}
+
+}  // namespace
+
+double breakpointDistance(double range, double bearingStep, const SegmentParameters& parameters,
+                          const NoiseParameters& noise)
+{
+    return range * gapPerRange(bearingStep, parameters) +
            parameters.breakpointSigmas * std::sqrt(noise.rangeVariance(range));
 }
 
@@ -21,6 +31,17 @@ void splitAtBreakpoints(const SlicePoints& points, double bearingStep, const Seg
                         const NoiseParameters& noise, std::vector<PointRun>& runs)
 {
     runs.clear();
+    const double perRange = gapPerRange(bearingStep, parameters);
+    // The noise term is worked out only where the first term does not already keep two neighbours together.
+    const auto isBreakpoint = [&](int beam) {
+        const double gap = (points[beam] - points[beam - 1]).squaredNorm();
+        const double range = points.range(beam - 1);
+        double limit = perRange * range;
+        if (gap < limit * limit)
+            return false;
+        limit += parameters.breakpointSigmas * std::sqrt(noise.rangeVariance(range));
+        return gap >= limit * limit;
+    };
     PointRun run{0, -1};
     const auto close = [&] {
         if (run.points() >= 2)
@@ -32,12 +53,9 @@ void splitAtBreakpoints(const SlicePoints& points, double bearingStep, const Seg
             run = {beam + 1, beam};
             continue;
         }
-        if (run.points() > 0) {
-            const double limit = breakpointDistance(points.range(beam - 1), bearingStep, parameters, noise);
-            if ((points[beam] - points[beam - 1]).squaredNorm() >= limit * limit) {
-                close();
-                run.first = beam;
-            }
+        if (run.points() > 0 && isBreakpoint(beam)) {
+            close();
+            run.first = beam;
         }
         run.last = beam;
     }

@@ -16,6 +16,10 @@ constexpr int kMovablePoints = 6;
 /// Points that a piece must have for a line that does not rest on the points at its ends.
 constexpr int kShortestPiece = 4;
 
+/// Divisions at the farthest point, one within the other, before a piece is halved instead. Real slices need a few; a
+/// zigzag of 65,536 points, each of which is the farthest in turn, would cost the square of its length.
+constexpr int kDeepestDivision = 48;
+
 /// Points at the end of a piece that are in question: few enough for a line through the others.
 int movablePoints(const PointRun& piece)
 {
@@ -100,18 +104,24 @@ void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const Se
                         std::vector<PointRun>& pieces)
 {
     const std::size_t begin = pieces.size();
+    struct Open {
+        PointRun piece;
+        int depth;
+    };
     // A stack on the heap, not the call stack: a run may have 65,536 points and split at every one.
-    std::vector<PointRun> open{run};
+    std::vector<Open> open{{run, 0}};
     while (!open.empty()) {
-        const PointRun piece = open.back();
+        const auto [piece, depth] = open.back();
         open.pop_back();
-        const int division = piece.points() > 2 ? farthestFromChord(points, piece, parameters) : -1;
+        int division = piece.points() > 2 ? farthestFromChord(points, piece, parameters) : -1;
         if (division < 0) {
             pieces.push_back(piece);
-        } else {
-            open.push_back({division, piece.last});
-            open.push_back({piece.first, division});
+            continue;
         }
+        if (depth >= kDeepestDivision)
+            division = (piece.first + piece.last) / 2;
+        open.push_back({{division, piece.last}, depth + 1});
+        open.push_back({{piece.first, division}, depth + 1});
     }
 
     // Neighbours share their point of division so far; from here on it belongs to the left one alone until settled.

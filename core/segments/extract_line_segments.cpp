@@ -22,31 +22,16 @@ bool isAvailable(const SlicePoints& points, const PointRun& piece, const Segment
 }
 
 /// Moments in space of the points of a piece, all taken at the tilt of its middle.
-PointMoments momentsOf(const SlicePoints& points, const PointRun& piece, double tilt, const SensorModel& sensor)
+PointMoments momentsInSpace(const SlicePoints& points, const PointRun& piece, double tilt, const SensorModel& sensor)
 {
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-    const Eigen::Vector2d origin = points[piece.first];
-    double count = 0.0;
-    for (int beam = piece.first; beam <= piece.last; ++beam) {
-        if (!points.hasEcho(beam))
-            continue;
-        const Eigen::Vector2d p = points[beam] - origin;
-        count += 1.0;
-        mean += p;
-        scatter += p * p.transpose();
-    }
-    mean /= count;
-    scatter -= count * mean * mean.transpose();
-    mean += origin;
-
+    const SliceMoments flat = points.momentsOf(piece);
     Eigen::Matrix<double, 3, 2> axes;
     axes.col(0) = Eigen::Vector3d::UnitX();
     axes.col(1) = Eigen::Vector3d{0.0, std::sin(tilt), -std::cos(tilt)};
     PointMoments moments;
-    moments.count = count;
-    moments.mean = axes * mean + toCartesian(0.0, 0.0, tilt, sensor);
-    moments.scatter = axes * scatter * axes.transpose();
+    moments.count = flat.points;
+    moments.mean = axes * flat.centroid + toCartesian(0.0, 0.0, tilt, sensor);
+    moments.scatter = axes * (moments.count * flat.covariance) * axes.transpose();
     return moments;
 }
 
@@ -85,7 +70,7 @@ LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const Scan
                                        points.varianceAcross(piece.last, line.normal())) /
                              segment.length();
     segment.rms = std::sqrt(line.variance);
-    segment.moments = momentsOf(points, piece, slice.tiltAt((first + last) / 2), sensor);
+    segment.moments = momentsInSpace(points, piece, slice.tiltAt((first + last) / 2), sensor);
     return segment;
 }
 

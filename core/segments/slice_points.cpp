@@ -56,26 +56,40 @@ void SlicePoints::take(const ScanSlice& slice, const SensorModel& sensor, const 
     }
 }
 
-SliceLine SlicePoints::lineThrough(const PointRun& run) const
+SliceMoments SlicePoints::momentsOf(const PointRun& run) const
 {
     const Sums& before = sums_[at(run.first)];
     const Sums& after = sums_[at(run.last) + 1];
-    SliceLine line;
-    line.points = after.count - before.count;
-    assert(line.points >= 2);
-    const double n = line.points;
+    SliceMoments moments;
+    moments.points = after.count - before.count;
+    assert(moments.points >= 1);
+    const double n = moments.points;
     const double u = (after.u - before.u) / n;
     const double v = (after.v - before.v) / n;
-    line.centroid = {u, v};
-    const double uu = (after.uu - before.uu) / n - u * u;
+    moments.centroid = {u, v};
     const double uv = (after.uv - before.uv) / n - u * v;
-    const double vv = (after.vv - before.vv) / n - v * v;
-    // Larger eigenvalue of [uu uv; uv vv] and its eigenvector, by the half angle.
-    const double half = 0.5 * (uu - vv);
-    const double root = std::hypot(half, uv);
-    const double angle = 0.5 * std::atan2(uv, half);
-    line.direction = {std::cos(angle), std::sin(angle)};
-    line.variance = std::max(0.0, 0.5 * (uu + vv) - root);
+    moments.covariance << (after.uu - before.uu) / n - u * u, uv, uv, (after.vv - before.vv) / n - v * v;
+    return moments;
+}
+
+SliceLine SlicePoints::lineThrough(const PointRun& run) const
+{
+    const SliceMoments moments = momentsOf(run);
+    SliceLine line;
+    line.points = moments.points;
+    line.centroid = moments.centroid;
+    // Larger eigenvalue of [uu uv; uv vv] and its eigenvector, by the half angle: cos 2α = half/root, sin 2α = uv/root.
+    const double uv = moments.covariance(0, 1);
+    const double half = 0.5 * (moments.covariance(0, 0) - moments.covariance(1, 1));
+    const double root = std::sqrt(half * half + uv * uv);
+    if (root > 0.0) {
+        const double larger = std::sqrt(0.5 * (1.0 + std::abs(half) / root));
+        const double smaller = 0.5 * std::abs(uv) / (root * larger);
+        const double side = uv < 0.0 ? -1.0 : 1.0;
+        line.direction =
+            half >= 0.0 ? Eigen::Vector2d{larger, side * smaller} : Eigen::Vector2d{smaller, side * larger};
+    }
+    line.variance = std::max(0.0, 0.5 * moments.covariance.trace() - root);
     return line;
 }
 

@@ -23,6 +23,13 @@ struct PointRun {
     friend bool operator==(const PointRun&, const PointRun&) = default;
 };
 
+/// Count, mean and covariance of points in the slice's plane.
+struct SliceMoments {
+    int points = 0;
+    Eigen::Vector2d centroid = Eigen::Vector2d::Zero();    ///< [m]
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< Σ (p − centroid)(p − centroid)ᵀ / points [m²]
+};
+
 /// A straight line in the slice's plane, by total least squares.
 struct SliceLine {
     int points = 0;
@@ -51,6 +58,9 @@ public:
 
     /// Echoes among the beams of a run.
     int echoesIn(const PointRun& run) const { return sums_[at(run.last) + 1].count - sums_[at(run.first)].count; }
+
+    /// The moments of the points of a run; it must hold at least one.
+    SliceMoments momentsOf(const PointRun& run) const;
 
     /// The total-least-squares line through the points of a run; it must hold at least two.
     SliceLine lineThrough(const PointRun& run) const;
