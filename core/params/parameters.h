@@ -18,6 +18,7 @@ struct NoiseParameters {
     double rangeProportional = 0.001;
     double bearing = degrees(0.02);
     double pitch = degrees(0.084);
+    bool pitchCommon = true;
 
     /// Variance σ_ρ² of a range [m²]: the squares of the constant and of the proportional part.
     double rangeVariance(double range) const
@@ -38,6 +39,8 @@ struct NoiseParameters {
                       "Standard deviation of a beam's bearing."},
             Parameter{"noise.pitch", &NoiseParameters::pitch, Unit::Angle, Range{0.0, degrees(5.0)}, "sigma_phi",
                       "Standard deviation of the measured pitch of a slice."},
+            Parameter{"noise.pitch-common", &NoiseParameters::pitchCommon, Unit::Switch, Range{0.0, 1.0}, "",
+                      "The pitch error is one for all points of a slice; otherwise each point has its own."},
         };
     }
 };
@@ -227,6 +230,64 @@ struct PlaneParameters {
     }
 };
 
+/// How planes are estimated.
+enum class Estimator { EndPoints, Likelihood };
+template <>
+struct ChoiceNames<Estimator> {
+    static constexpr std::array<std::string_view, 2> names{"end-points", "likelihood"};
+};
+
+/// Tests of the estimator by likelihood: chi-squares that carry the covariances of segment and plane.
+struct LikelihoodParameters {
+    Estimator estimator = Estimator::EndPoints;
+    double joinGate = 25.0;
+    double apartGate = 6.0;
+    double knownAngle = 0.03;
+    double seedGate = 11.3;
+    double seedAngle = 0.2;
+    double mergeGate = 25.0;
+    double mergeAngle = 0.01;
+    double finalGate = 12.0;
+    double minSolidAngle = 0.0106;
+    double stripWidth = 0.12;
+    double stripShare = 0.6;
+    double flatChi = 1.5;
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{"method.estimator", &LikelihoodParameters::estimator, Unit::Choice, Range{0.0, 1.0}, "",
+                      "end-points is the published method; likelihood uses all points of a segment by their sums."},
+            Parameter{"likelihood.join-gate", &LikelihoodParameters::joinGate, Unit::None, Range{1.0, 1000.0}, "",
+                      "A segment joins a plane that it faces below this chi-square of 2 degrees of freedom."},
+            Parameter{"likelihood.apart-gate", &LikelihoodParameters::apartGate, Unit::None, Range{0.1, 1000.0}, "",
+                      "The same for a plane that it does not face, and for pairs of segments as a plane."},
+            Parameter{"likelihood.known-angle", &LikelihoodParameters::knownAngle, Unit::Angle,
+                      Range{0.0, degrees(45.0)}, "",
+                      "A plane is joined without facing it when its normal is known to this standard deviation."},
+            Parameter{"likelihood.seed-gate", &LikelihoodParameters::seedGate, Unit::None, Range{0.1, 1000.0}, "",
+                      "Three segments make a plane below this chi-square of 3 degrees of freedom."},
+            Parameter{"likelihood.seed-angle", &LikelihoodParameters::seedAngle, Unit::Angle, Range{0.0, degrees(45.0)},
+                      "", "Their plane's normal must be known to this standard deviation."},
+            Parameter{"likelihood.merge-gate", &LikelihoodParameters::mergeGate, Unit::None, Range{0.1, 1000.0}, "",
+                      "Two planes are one below this chi-square of 3 degrees of freedom."},
+            Parameter{"likelihood.merge-angle", &LikelihoodParameters::mergeAngle, Unit::Angle,
+                      Range{0.0, degrees(45.0)}, "",
+                      "Planes that are not side by side merge when both normals are known to this standard deviation."},
+            Parameter{"likelihood.final-gate", &LikelihoodParameters::finalGate, Unit::None, Range{1.0, 1000.0}, "",
+                      "Segments beyond this chi-square take no part in the last fit."},
+            Parameter{"likelihood.min-solid-angle", &LikelihoodParameters::minSolidAngle, Unit::None, Range{0.0, 10.0},
+                      "", "A plane must fill this solid angle as seen from the laser at least, in steradians."},
+            Parameter{"likelihood.strip-width", &LikelihoodParameters::stripWidth, Unit::Metre, Range{0.0, 10.0}, "",
+                      "Narrower planes that stand free on both sides are poles, not planes."},
+            Parameter{"likelihood.strip-share", &LikelihoodParameters::stripShare, Unit::None, Range{0.0, 1.0}, "",
+                      "Share of its slices in which a narrow plane stands free to be a pole."},
+            Parameter{"likelihood.flat-chi", &LikelihoodParameters::flatChi, Unit::None, Range{0.1, 1000.0}, "",
+                      "Largest reduced chi-square of a plane, beside the scatter of its number of segments."},
+        };
+    }
+};
+
 /// When the phases of Table I run; step counts from 0.
 struct ScheduleParameters {
     int fitEvery = 5;
@@ -257,13 +318,15 @@ struct Parameters {
     AssignmentParameters assignment;
     ClusterParameters clusters;
     PlaneParameters planes;
+    LikelihoodParameters likelihood;
     ScheduleParameters schedule;
 
     /// The parts in the order in which people see them.
     static constexpr auto parts()
     {
         return std::tuple{&Parameters::noise,    &Parameters::segments, &Parameters::assignment,
-                          &Parameters::clusters, &Parameters::planes,   &Parameters::schedule};
+                          &Parameters::clusters, &Parameters::planes,   &Parameters::likelihood,
+                          &Parameters::schedule};
     }
 };
 
@@ -272,6 +335,7 @@ static_assert(defaultsAreInRange<SegmentParameters>());
 static_assert(defaultsAreInRange<AssignmentParameters>());
 static_assert(defaultsAreInRange<ClusterParameters>());
 static_assert(defaultsAreInRange<PlaneParameters>());
+static_assert(defaultsAreInRange<LikelihoodParameters>());
 static_assert(defaultsAreInRange<ScheduleParameters>());
 
 }  // namespace planewright

@@ -17,6 +17,16 @@ const std::vector<Preset>& methodPresets()
 {
     static const std::vector<Preset> presets{
         {"paper", "the published method, with its formulas corrected: raw end points, metric thresholds", {}},
+        {"precise",
+         "maximum likelihood from all points of a segment, one pitch error a slice, chi-square tests",
+         {{"method.estimator", "likelihood"},
+          {"segments.split-distance", "0.01"},
+          {"segments.split-sigmas", "4.5"},
+          {"segments.min-length", "0"},
+          {"segments.min-points", "4"},
+          {"planes.flatness", "0.002"},
+          {"planes.min-segments", "3"},
+          {"planes.min-slices", "3"}}},
     };
     return presets;
 }

@@ -7,8 +7,7 @@
 
 #include "core/geometry/sensor_model.h"
 #include "core/params/parameters.h"
-#include "core/planes/plane_map.h"
-#include "core/segments/extract_line_segments.h"
+#include "core/pipeline/extraction_method.h"
 #include "core/types/scan_slice.h"
 #include "core/types/snapshot.h"
 #include "core/types/step_recorder.h"
@@ -36,18 +35,20 @@ public:
     /// snapshot's report has step −1 and phase Finish.
     std::shared_ptr<const Snapshot> finish();
 
-    /// Parameters for the steps to come.
+    /// The same without a snapshot, for callers that need only the last: its report.
+    StepReport advance(const ScanSlice& slice);
+    StepReport conclude();
+
+    /// Parameters for the steps to come; `method.estimator` stays what it was at the start.
     void setParameters(const Parameters& parameters) { parameters_ = parameters; }
 
 private:
     std::shared_ptr<const Snapshot> makeSnapshot(StepReport report);
-    void splitAndMerge(StepRecorder& recorder);
 
     SensorModel sensor_;
     Parameters parameters_;
     ExtractionOptions options_;
-    LineSegmentExtractor extractor_;
-    PlaneMap map_;
+    std::unique_ptr<ExtractionMethod> method_;
 };
 
 }  // namespace planewright

@@ -8,17 +8,12 @@
 
 namespace planewright {
 
-namespace {
-
-/// Gap between neighbouring points of one surface in proportion to the range: the first term of Eq. (3).
 double gapPerRange(double bearingStep, const SegmentParameters& parameters)
 {
     // A scanner coarser than half the incidence limit would make the denominator vanish.
     const double margin = std::max(parameters.incidenceLimit - bearingStep, 0.5 * parameters.incidenceLimit);
     return std::sin(bearingStep) / std::sin(margin);
 }
-
-}  // namespace
 
 double breakpointDistance(double range, double bearingStep, const SegmentParameters& parameters,
                           const NoiseParameters& noise)

@@ -9,6 +9,9 @@
 
 namespace planewright {
 
+/// Gap between neighbouring points of one surface in proportion to their range: the first term of Eq. (3).
+double gapPerRange(double bearingStep, const SegmentParameters& parameters);
+
 /// D_o of Eq. (3) [m]: the largest gap between neighbouring points of one surface, seen at a range [m] with a bearing
 /// step [rad]. The step is the bearing's, although the paper prints the letter of the pitch.
 double breakpointDistance(double range, double bearingStep, const SegmentParameters& parameters,

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+
+#include "core/planes/track_publishing.h"
+#include "core/planes/track_stages.h"
+
+namespace planewright {
+
+namespace {
+
+/// Slices after which a plane that met no segment is out of sight.
+constexpr int kSightSlices = 8;
+/// A χ² so small that no other plane needs to be looked at.
+constexpr double kCertain = 4.0;
+
+struct Candidate {
+    PlaneTrack* plane = nullptr;
+    double chi = 0.0;
+    double gate = 0.0;
+};
+
+void consider(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const Parameters& parameters, double floor,
+              double gate, Candidate& best)
+{
+    if (best.plane == &plane)
+        return;
+    const double chi = map.joinChi(plane, number, parameters.noise, floor);
+    if (chi < gate && (best.plane == nullptr || chi < best.chi))
+        best = {&plane, chi, gate};
+}
+
+/// The plane that a segment fits best among those of the segments it faces in the slices from `from` to `to`.
+void considerNeighbours(SegmentNumber number, int from, int to, TrackMap& map, const Parameters& parameters,
+                        Candidate& best)
+{
+    const int first = map.firstBeam(number);
+    const int last = map.lastBeam(number);
+    const int step = to < from ? -1 : 1;
+    for (int place = from; place != to + step; place += step) {
+        map.visitOverlaps(place, first, last, kOverlapMargin, [&](SegmentNumber other) {
+            const PlaneId owner = map.segment(other).owner;
+            if (owner != kNoPlane)
+                consider(map.plane(owner), number, map, parameters, parameters.planes.flatness,
+                         parameters.likelihood.joinGate, best);
+        });
+        if (best.plane != nullptr && best.chi < kCertain)
+            return;
+    }
+}
+
+/// A plane that is known well and was seen lately may be joined without facing it: across a door, behind a pillar.
+void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parameters, Candidate& best)
+{
+    const int place = map.segment(number).slice;
+    const double variance = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
+    for (PlaneTrack& plane : map.planes()) {
+        if (std::abs(place - plane.lastSlice) <= kSightSlices && plane.estimate.normalVariance() < variance)
+            consider(plane, number, map, parameters, 0.5 * parameters.planes.flatness, parameters.likelihood.apartGate,
+                     best);
+    }
+}
+
+void explain(SegmentNumber number, const Candidate& best, const TrackMap& map, StepRecorder& recorder)
+{
+    if (!recorder.explains())
+        return;
+    if (best.plane == nullptr)
+        recorder.decide(DecisionKind::Reject, {idOf(number, map)}, {});
+    else
+        recorder.decide(DecisionKind::Assign, {idOf(number, map), PlaneRef{best.plane->id}},
+                        {{"join_chi2", best.chi, Comparison::Less, best.gate}}, {PlaneRef{best.plane->id}});
+}
+
+}  // namespace
+
+std::vector<SegmentNumber> joinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const int place = map.slices() - 1;
+    const int back = map.lookback(place);
+    const TrackedSlice& slice = map.slice(place);
+    std::vector<std::pair<PlaneId, SegmentNumber>> joined;
+    std::vector<SegmentNumber> left;
+    for (SegmentNumber number = slice.first; number < slice.end; ++number) {
+        Candidate best;
+        if (place > 0)
+            considerNeighbours(number, place - 1, place - back, map, parameters, best);
+        if (best.plane == nullptr)
+            considerKnown(number, map, parameters, best);
+        explain(number, best, map, recorder);
+        if (best.plane == nullptr)
+            left.push_back(number);
+        else
+            joined.emplace_back(best.plane->id, number);
+    }
+    // The segments of a plane join it together: they share the slice's pitch error.
+    std::stable_sort(joined.begin(), joined.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<SegmentNumber> together;
+    for (std::size_t i = 0; i < joined.size();) {
+        const PlaneId id = joined[i].first;
+        together.clear();
+        for (; i < joined.size() && joined[i].first == id; ++i)
+            together.push_back(joined[i].second);
+        map.join(map.plane(id), together, slice.step, parameters.noise);
+    }
+    return left;
+}
+
+void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, StepRecorder& recorder)
+{
+    const int step = map.slice(map.slices() - 1).step;
+    for (int place = std::max(0, firstSlice); place < map.slices(); ++place) {
+        const TrackedSlice& slice = map.slice(place);
+        for (SegmentNumber number = slice.first; number < slice.end; ++number) {
+            if (map.segment(number).owner != kNoPlane)
+                continue;
+            Candidate best;
+            const int back = map.lookback(place);
+            considerNeighbours(number, place, place - back, map, parameters, best);
+            if (place + 1 < map.slices())
+                considerNeighbours(number, place + 1, std::min(place + back, map.slices() - 1), map, parameters, best);
+            if (best.plane == nullptr)
+                considerKnown(number, map, parameters, best);
+            if (best.plane == nullptr)
+                continue;
+            explain(number, best, map, recorder);
+            map.join(*best.plane, std::span{&number, 1}, step, parameters.noise);
+        }
+    }
+}
+
+}  // namespace planewright

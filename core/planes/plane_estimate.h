@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "core/geometry/sensor_model.h"
+#include "core/params/parameters.h"
+#include "core/segments/segment_statistics.h"
+
+namespace planewright {
+
+/// The plane of a slice in space: a point (u, v) of it is origin + u x + v ahead, Eq. (6).
+struct SliceFrame {
+    double tilt = 0.0;                                         ///< φ [rad]
+    Eigen::Vector3d ahead = Eigen::Vector3d::UnitY();          ///< ∂p/∂v
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();          ///< where the laser is [m]
+    Eigen::Vector3d aheadTurned = Eigen::Vector3d::UnitZ();    ///< ∂ahead/∂φ
+    Eigen::Vector3d originTurned = Eigen::Vector3d::Zero();    ///< ∂origin/∂φ [m]
+
+    Eigen::Vector3d pointAt(double u, double v) const { return origin + Eigen::Vector3d{u, 0.0, 0.0} + v * ahead; }
+};
+
+/// The frame of a slice at this tilt [rad].
+SliceFrame frameOf(double tilt, const SensorModel& sensor);
+
+/// A linear function of the slice's coordinates: u·(…) + v·(…) + constant.
+struct SliceFunction {
+    double u = 0.0, v = 0.0, constant = 0.0;
+
+    double at(double pointU, double pointV) const { return u * pointU + v * pointV + constant; }
+    double along(double directionU, double directionV) const { return u * directionU + v * directionV; }
+};
+
+/// What a plane and the directions it can move in look like in a slice.
+struct PlaneInSlice {
+    SliceFunction distance;  ///< n·p − d
+    SliceFunction first;     ///< its derivative by the first tangent angle
+    SliceFunction second;    ///< by the second
+    SliceFunction pitch;     ///< by the slice's pitch
+    double steepness = 1.0;  ///< square of the distance's gradient in the slice: how noise across a line enters it
+};
+
+/// A plane by maximum likelihood: its parameters, their information and their covariance.
+///
+/// Unknowns are two tangent angles and d, from a linearisation point on; information and gradient are sums over slices,
+/// in each of which the pitch error is one unknown that has been eliminated (Schur complement).
+class PlaneEstimate {
+public:
+    PlaneEstimate() = default;
+    /// Starts from a plane n·p = d [m] with |n| = 1 and no information.
+    PlaneEstimate(const Eigen::Vector3d& normal, double distance);
+
+    const Eigen::Vector3d& normal() const { return normal_; }
+    double distance() const { return distance_; }
+    /// Covariance of (tangent angle 1, tangent angle 2, d) [rad², rad·m, m²].
+    const Eigen::Matrix3d& covariance() const { return covariance_; }
+    const Eigen::Matrix<double, 3, 2>& tangents() const { return tangents_; }
+    /// Σ of squared residuals over their variances at the estimate: the negative log likelihood twice.
+    double chi() const { return chi_ + 2.0 * gradient_.dot(step_) + step_.dot(information_ * step_); }
+    /// Largest variance of the normal [rad²].
+    double normalVariance() const { return normalVariance_; }
+    /// How far the estimate is from where it was linearised [rad].
+    double angleFromLinearisation() const { return step_.head<2>().norm(); }
+
+    PlaneInSlice inSlice(const SliceFrame& frame) const;
+
+    /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together.
+    void accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,
+                    const NoiseParameters& noise, double sign);
+
+    /// Moves to the most likely plane. False where the segments do not determine one.
+    bool solve();
+
+    /// χ² (2 degrees of freedom) of a segment against this plane: its distance and its slope, with the variances of
+    /// segment, plane and pitch, and a flatness floor [m].
+    double joinChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
+                   double floor) const;
+
+    /// χ² (3 degrees of freedom) of two planes being one, with a flatness floor [m] over an extent [m].
+    double mergeChi(const PlaneEstimate& other, double floor, double extent) const;
+
+private:
+    Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();  // the estimate
+    double distance_ = 0.0;
+    Eigen::Vector3d start_ = Eigen::Vector3d::UnitZ();  // where it was linearised
+    double startDistance_ = 0.0;
+    Eigen::Matrix<double, 3, 2> tangents_ = Eigen::Matrix<double, 3, 2>::Zero();
+    Eigen::Matrix3d information_ = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d gradient_ = Eigen::Vector3d::Zero();
+    double chi_ = 0.0;  // at the linearisation point
+    Eigen::Vector3d step_ = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
+    double normalVariance_ = 0.0;
+};
+
+}  // namespace planewright

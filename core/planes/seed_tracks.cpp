@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "core/planes/track_publishing.h"
+#include "core/planes/track_stages.h"
+
+namespace planewright {
+
+namespace {
+
+/// Distances between the slices of a triple that are tried: a fine tilt step gives neighbours too close to tell a
+/// plane's direction.
+constexpr std::array kStrides{1, 2, 4, 8};
+/// A plane stops growing after so many slices without a segment that fits.
+constexpr int kEmptySlices = 3;
+/// Segments whose centroids are farther than this from the plane of the two others are no triple [m].
+constexpr double kRoughlyCoplanar = 0.08;
+/// Points that a pair of segments must have.
+constexpr int kPairPoints = 40;
+
+struct Hypothesis {
+    std::array<SegmentNumber, 3> segments{};
+    int support = 0;  ///< points of the smallest of the three
+    double chi = 0.0;
+    double normalVariance = 0.0;
+    PlaneEstimate estimate;
+};
+
+Eigen::Vector3d centroid(SegmentNumber number, const TrackMap& map)
+{
+    const TrackedSegment& s = map.segment(number);
+    return map.slice(s.slice).frame.pointAt(s.statistics.u, s.statistics.v);
+}
+
+/// The most likely plane of segments of different slices; none where they do not determine one.
+bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, const NoiseParameters& noise,
+                 PlaneEstimate& estimate)
+{
+    const SegmentNumber a = numbers.front();
+    const SegmentNumber c = numbers.back();
+    const Eigen::Vector3d along = directionOf(a, map);
+    Eigen::Vector3d across = centroid(c, map) - centroid(a, map);
+    const Eigen::Vector3d normal = along.cross(across);
+    const double length = normal.norm();
+    if (!(length > 1e-3 * across.norm()) || length == 0.0)
+        return false;
+    estimate = PlaneEstimate(normal / length, normal.dot(centroid(a, map)) / length);
+    for (int round = 0; round < 2; ++round) {
+        if (round > 0)
+            estimate = PlaneEstimate(estimate.normal(), estimate.distance());
+        for (const SegmentNumber number : numbers) {
+            const TrackedSegment& s = map.segment(number);
+            const SegmentStatistics* one = &s.statistics;
+            estimate.accumulate(estimate.inSlice(map.slice(s.slice).frame), std::span{&one, 1}, noise, 1.0);
+        }
+        if (!estimate.solve())
+            return false;
+        if (estimate.angleFromLinearisation() < 0.02)
+            break;
+    }
+    return true;
+}
+
+/// True where the middle one of three centroids is roughly where the plane through the others says.
+bool roughlyCoplanar(SegmentNumber a, SegmentNumber b, SegmentNumber c, const TrackMap& map)
+{
+    const Eigen::Vector3d from = centroid(a, map);
+    Eigen::Vector3d normal = directionOf(a, map).cross(centroid(c, map) - from);
+    const double length = normal.norm();
+    return length > 0.0 && std::abs(normal.dot(centroid(b, map) - from)) < kRoughlyCoplanar * length;
+}
+
+/// Calls `visit` for each segment of a slice that belongs to no plane and overlaps another.
+template <class Visit>
+void visitFree(int place, SegmentNumber facing, const TrackMap& map, Visit visit)
+{
+    if (place < 0 || place >= map.slices())
+        return;
+    map.visitOverlaps(place, map.firstBeam(facing), map.lastBeam(facing), kOverlapMargin, [&](SegmentNumber number) {
+        if (map.segment(number).owner == kNoPlane)
+            visit(number);
+    });
+}
+
+/// Hypotheses of three segments of which the last is `newest`; of the smallest stride that gives any.
+void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& parameters,
+                  std::vector<Hypothesis>& hypotheses)
+{
+    const int place = map.segment(newest).slice;
+    const double angle = parameters.likelihood.seedAngle;
+    for (const int stride : kStrides) {
+        if (stride > 1 && stride > map.lookback(place))
+            return;
+        const std::size_t before = hypotheses.size();
+        visitFree(place - stride, newest, map, [&](SegmentNumber middle) {
+            visitFree(place - 2 * stride, middle, map, [&](SegmentNumber oldest) {
+                if (!roughlyCoplanar(oldest, middle, newest, map))
+                    return;
+                Hypothesis hypothesis;
+                hypothesis.segments = {oldest, middle, newest};
+                if (!fitSegments(hypothesis.segments, map, parameters.noise, hypothesis.estimate))
+                    return;
+                hypothesis.chi = hypothesis.estimate.chi();
+                hypothesis.normalVariance = hypothesis.estimate.normalVariance();
+                if (hypothesis.chi >= parameters.likelihood.seedGate || hypothesis.normalVariance >= angle * angle)
+                    return;
+                hypothesis.support = std::min({map.segment(oldest).statistics.points,
+                                               map.segment(middle).statistics.points,
+                                               map.segment(newest).statistics.points});
+                hypotheses.push_back(hypothesis);
+            });
+        });
+        if (hypotheses.size() > before)
+            return;
+    }
+}
+
+/// Takes in the free segments of a slice that face the plane's in the slices `near`, and fit it.
+bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Parameters& parameters, int step)
+{
+    const TrackedSlice& slice = map.slice(place);
+    const int reach = std::max(1, map.lookback(place));
+    std::vector<SegmentNumber> fitting;
+    for (SegmentNumber number = slice.first; number < slice.end; ++number) {
+        if (map.segment(number).owner != kNoPlane)
+            continue;
+        bool faces = false;
+        for (int near = 1; near <= reach && !faces; ++near) {
+            const int other = place + near * towards;
+            if (other < 0 || other >= map.slices())
+                break;
+            map.visitOverlaps(other, map.firstBeam(number), map.lastBeam(number), kOverlapMargin,
+                              [&](SegmentNumber facing) { faces = faces || map.segment(facing).owner == plane.id; });
+        }
+        if (faces && map.joinChi(plane, number, parameters.noise, parameters.planes.flatness) <
+                         parameters.likelihood.joinGate)
+            fitting.push_back(number);
+    }
+    if (fitting.empty())
+        return false;
+    map.join(plane, fitting, step, parameters.noise);
+    return true;
+}
+
+/// Grows a new plane over the slices between, before and after its first segments.
+void grow(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, int step)
+{
+    const int first = map.segment(plane.members.front()).slice;
+    const int last = map.segment(plane.members.back()).slice;
+    for (int place = last - 1; place > first; --place)
+        growInto(plane, place, 1, map, parameters, step);
+    int empty = 0;
+    for (int place = first - 1; place >= 0 && empty < kEmptySlices; --place)
+        empty = growInto(plane, place, 1, map, parameters, step) ? 0 : empty + 1;
+    empty = 0;
+    for (int place = last + 1; place < map.slices() && empty < kEmptySlices; ++place)
+        empty = growInto(plane, place, -1, map, parameters, step) ? 0 : empty + 1;
+    plane.estimate.solve();
+    map.rebuild(plane, parameters.noise);
+}
+
+}  // namespace
+
+void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, StepRecorder& recorder)
+{
+    std::vector<Hypothesis> hypotheses;
+    for (int place = std::max(2, firstSlice); place < map.slices(); ++place) {
+        for (SegmentNumber number = map.slice(place).first; number < map.slice(place).end; ++number) {
+            if (map.segment(number).owner == kNoPlane)
+                hypothesesOf(number, map, parameters, hypotheses);
+        }
+    }
+    std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                     [](const Hypothesis& a, const Hypothesis& b) { return a.support > b.support; });
+    const int step = map.slice(map.slices() - 1).step;
+    for (const Hypothesis& hypothesis : hypotheses) {
+        const auto& [a, b, c] = hypothesis.segments;
+        if (map.segment(a).owner != kNoPlane || map.segment(b).owner != kNoPlane || map.segment(c).owner != kNoPlane)
+            continue;
+        PlaneTrack* plane = map.makePlane({a, b, c}, hypothesis.estimate, step, parameters.noise);
+        if (plane == nullptr)
+            continue;
+        if (recorder.explains())
+            recorder.decide(DecisionKind::Fit, {idOf(a, map), idOf(b, map), idOf(c, map)},
+                            {{"seed_chi2", hypothesis.chi, Comparison::Less, parameters.likelihood.seedGate},
+                             {"normal_sigma", std::sqrt(hypothesis.normalVariance), Comparison::Less,
+                              parameters.likelihood.seedAngle}},
+                            {PlaneRef{plane->id}});
+        grow(*plane, map, parameters, step);
+    }
+}
+
+void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const int step = map.slice(map.slices() - 1).step;
+    for (int place = 1; place < map.slices(); ++place) {
+        for (SegmentNumber number = map.slice(place).first; number < map.slice(place).end; ++number) {
+            if (map.segment(number).owner != kNoPlane)
+                continue;
+            const int from = map.firstBeam(number);
+            const int to = map.lastBeam(number);
+            SegmentNumber partner = -1;
+            PlaneEstimate estimate;
+            double best = parameters.likelihood.apartGate;
+            visitFree(place - 1, number, map, [&](SegmentNumber other) {
+                const int shared = std::min(to, map.lastBeam(other)) - std::max(from, map.firstBeam(other)) + 1;
+                const int shorter = std::min(to - from, map.lastBeam(other) - map.firstBeam(other)) + 1;
+                if (2 * shared < shorter || map.segment(other).statistics.points +
+                                                    map.segment(number).statistics.points < kPairPoints)
+                    return;
+                PlaneEstimate two;
+                const std::array pair{other, number};
+                if (fitSegments(pair, map, parameters.noise, two) && two.chi() < best) {
+                    best = two.chi();
+                    partner = other;
+                    estimate = two;
+                }
+            });
+            if (partner < 0)
+                continue;
+            PlaneTrack* plane = map.makePlane({partner, number}, estimate, step, parameters.noise);
+            if (plane == nullptr)
+                continue;
+            if (recorder.explains())
+                recorder.decide(DecisionKind::Fit, {idOf(partner, map), idOf(number, map)},
+                                {{"pair_chi2", best, Comparison::Less, parameters.likelihood.apartGate}},
+                                {PlaneRef{plane->id}});
+            grow(*plane, map, parameters, step);
+        }
+    }
+}
+
+}  // namespace planewright

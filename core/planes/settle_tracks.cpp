@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/planes/track_publishing.h"
+#include "core/planes/track_stages.h"
+
+namespace planewright {
+
+namespace {
+
+/// A segment with a smaller χ² stays where it is; another plane must be better by as much.
+constexpr double kContent = 2.0;
+
+struct Better {
+    PlaneTrack* plane = nullptr;
+    double chi = 0.0;
+};
+
+/// The best plane among those of the segments around one.
+Better bestAround(SegmentNumber number, TrackMap& map, const Parameters& parameters)
+{
+    const TrackedSegment& s = map.segment(number);
+    const int reach = std::max(1, map.lookback(s.slice));
+    Better best;
+    for (int place = std::max(0, s.slice - reach); place <= std::min(map.slices() - 1, s.slice + reach); ++place) {
+        map.visitOverlaps(place, map.firstBeam(number), map.lastBeam(number), kOverlapMargin, [&](SegmentNumber other) {
+            const PlaneId owner = map.segment(other).owner;
+            if (owner == kNoPlane || owner == s.owner || (best.plane != nullptr && best.plane->id == owner))
+                return;
+            PlaneTrack& plane = map.plane(owner);
+            const double chi = map.joinChi(plane, number, parameters.noise, parameters.planes.flatness);
+            if (best.plane == nullptr || chi < best.chi)
+                best = {&plane, chi};
+        });
+    }
+    return best;
+}
+
+/// Mean width of a plane's segments [m] and the share of slices in which it stands free on both sides.
+struct Strip {
+    double width = 0.0;
+    double freeShare = 0.0;
+};
+
+Strip stripOf(const PlaneTrack& plane, const TrackMap& map)
+{
+    Strip strip;
+    int free = 0;
+    int slices = 0;
+    for (std::size_t i = 0; i < plane.members.size();) {
+        const int place = map.segment(plane.members[i]).slice;
+        const TrackedSegment& first = map.segment(plane.members[i]);
+        double width = 0.0;
+        std::size_t last = i;
+        for (; i < plane.members.size() && map.segment(plane.members[i]).slice == place; ++i) {
+            width += map.segment(plane.members[i]).statistics.length();
+            last = i;
+        }
+        strip.width += width;
+        ++slices;
+        free += first.statistics.startsFree && map.segment(plane.members[last]).statistics.endsFree ? 1 : 0;
+    }
+    strip.width /= slices;
+    strip.freeShare = static_cast<double>(free) / slices;
+    return strip;
+}
+
+}  // namespace
+
+void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const int step = map.slice(map.slices() - 1).step;
+    bool moved = false;
+    for (SegmentNumber number = 0; number < map.segments(); ++number) {
+        const PlaneId owner = map.segment(number).owner;
+        if (owner == kNoPlane)
+            continue;
+        const double chi = map.joinChi(map.plane(owner), number, parameters.noise, parameters.planes.flatness);
+        if (chi <= kContent)
+            continue;
+        const Better better = bestAround(number, map, parameters);
+        const double gate = parameters.likelihood.joinGate;
+        const bool goes = better.plane != nullptr && better.chi < gate && better.chi + kContent < chi;
+        if (!goes && chi < gate)
+            continue;
+        if (recorder.explains()) {
+            if (goes)
+                recorder.decide(DecisionKind::Assign, {idOf(number, map), PlaneRef{owner}},
+                                {{"join_chi2", better.chi, Comparison::Less, chi - kContent}},
+                                {PlaneRef{better.plane->id}});
+            else
+                recorder.decide(DecisionKind::Reject, {idOf(number, map), PlaneRef{owner}},
+                                {{"join_chi2", chi, Comparison::Less, gate}});
+        }
+        map.segment(number).owner = goes ? better.plane->id : kNoPlane;
+        moved = true;
+    }
+    if (!moved)
+        return;
+    map.collectMembers(step);
+    for (PlaneTrack& plane : map.planes())
+        map.rebuild(plane, parameters.noise);
+}
+
+void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const LikelihoodParameters& p = parameters.likelihood;
+    const double beamSolidAngle = map.bearingStep() * map.meanTiltStep();
+    const double minPoints = std::max(12.0, p.minSolidAngle / std::max(beamSolidAngle, 1e-9));
+    std::vector<PlaneId> unfounded;
+    for (const PlaneTrack& plane : map.planes()) {
+        const Strip strip = stripOf(plane, map);
+        const double freedom = std::max(1.0, 2.0 * static_cast<double>(plane.members.size()) - 3.0);
+        const bool narrow = strip.width < p.stripWidth && strip.freeShare > p.stripShare;
+        const std::vector<Test> tests{
+            {"points", static_cast<double>(plane.points), Comparison::GreaterEqual, minPoints},
+            {"segments", static_cast<double>(plane.members.size()), Comparison::GreaterEqual,
+             static_cast<double>(parameters.planes.minSegments)},
+            {"slices", static_cast<double>(plane.slices), Comparison::GreaterEqual,
+             static_cast<double>(parameters.planes.minSlices)},
+            {"free_strip_share", narrow ? strip.freeShare : 0.0, Comparison::LessEqual, p.stripShare},
+            {"reduced_chi2", plane.estimate.chi() / freedom, Comparison::LessEqual,
+             p.flatChi * (1.0 + 4.0 * std::sqrt(2.0 / freedom))},
+        };
+        if (std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); }))
+            continue;
+        unfounded.push_back(plane.id);
+        recorder.decide(DecisionKind::NoFit, {PlaneRef{plane.id}}, tests);
+    }
+    for (const PlaneId id : unfounded)
+        map.dissolve(id);
+}
+
+void refineTracks(TrackMap& map, const Parameters& parameters)
+{
+    for (PlaneTrack& plane : map.planes()) {
+        map.rebuild(plane, parameters.noise);
+        map.rebuild(plane, parameters.noise, [&](SegmentNumber number) {
+            return map.joinChi(plane, number, parameters.noise, parameters.planes.flatness) <
+                   parameters.likelihood.finalGate;
+        });
+    }
+}
+
+}  // namespace planewright

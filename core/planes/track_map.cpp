@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/planes/track_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/types/angle.h"
+
+namespace planewright {
+
+namespace {
+
+/// A plane is solved with every slice until it has so many, and with every so many-th from then on.
+constexpr int kYoungSlices = 10;
+constexpr int kSolveEvery = 4;
+/// It is linearised anew when it has so many times the points, or has turned so far [rad].
+constexpr std::int64_t kRelineariseGrowth = 3;
+constexpr double kRelineariseAngle = 0.03;
+/// Slices that count as neighbours at least and at most, and the tilt they span at least [rad].
+constexpr int kNearSlices = 2;
+constexpr int kMostNearSlices = 8;
+constexpr double kNearTilt = degrees(1.5);
+
+}  // namespace
+
+void TrackMap::append(const ScanSlice& slice, const SensorModel& sensor, std::span<const SegmentStatistics> segments)
+{
+    TrackedSlice tracked;
+    tracked.step = slice.step;
+    tracked.frame = frameOf(slice.tiltAt(slice.ranges.size() / 2), sensor);
+    tracked.first = this->segments();
+    tracked.end = tracked.first + static_cast<SegmentNumber>(segments.size());
+    if (slices_.empty()) {
+        bearingStep_ = slice.bearingStep;
+        firstBearing_ = slice.firstBearing;
+    } else {
+        tiltTravelled_ += std::abs(tracked.frame.tilt - slices_.back().frame.tilt);
+        tracked.beamShift = static_cast<int>(std::lround((slice.firstBearing - firstBearing_) / bearingStep_));
+    }
+    for (const SegmentStatistics& statistics : segments)
+        segments_.push_back({statistics, slices(), kNoPlane});
+    slices_.push_back(tracked);
+}
+
+PlaneTrack& TrackMap::plane(PlaneId id)
+{
+    return *std::lower_bound(planes_.begin(), planes_.end(), id,
+                             [](const PlaneTrack& plane, PlaneId wanted) { return plane.id < wanted; });
+}
+
+int TrackMap::lookback(int place) const
+{
+    const double tilt = slice(place).frame.tilt;
+    int back = kNearSlices;
+    while (back < kMostNearSlices && place - back - 1 >= 0 &&
+           std::abs(slice(place - back - 1).frame.tilt - tilt) <= kNearTilt)
+        ++back;
+    return std::min(back, place);
+}
+
+double TrackMap::meanTiltStep() const
+{
+    return slices_.size() < 2 ? 0.0 : tiltTravelled_ / static_cast<double>(slices_.size() - 1);
+}
+
+int TrackMap::firstBeam(SegmentNumber number) const
+{
+    const TrackedSegment& s = segment(number);
+    return s.statistics.firstBeam + slice(s.slice).beamShift;
+}
+
+int TrackMap::lastBeam(SegmentNumber number) const
+{
+    const TrackedSegment& s = segment(number);
+    return s.statistics.lastBeam + slice(s.slice).beamShift;
+}
+
+const PlaneInSlice& TrackMap::seenIn(PlaneTrack& plane, int place)
+{
+    if (plane.seenIn != place) {
+        plane.seen = plane.estimate.inSlice(slice(place).frame);
+        plane.seenIn = place;
+    }
+    return plane.seen;
+}
+
+void TrackMap::touch(PlaneTrack& plane, int step)
+{
+    plane.changedStep = step;
+    ++plane.revision;
+    plane.published = nullptr;
+}
+
+bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise)
+{
+    return rebuild(plane, noise, [](SegmentNumber) { return true; });
+}
+
+PlaneTrack* TrackMap::makePlane(std::vector<SegmentNumber> members, const PlaneEstimate& start, int step,
+                                const NoiseParameters& noise)
+{
+    std::sort(members.begin(), members.end());
+    PlaneTrack plane;
+    plane.id = nextPlane_;
+    plane.estimate = start;
+    plane.members = std::move(members);
+    plane.bornStep = plane.changedStep = step;
+    int last = -1;
+    for (const SegmentNumber number : plane.members) {
+        const TrackedSegment& s = segment(number);
+        plane.points += s.statistics.points;
+        plane.slices += s.slice != last ? 1 : 0;
+        last = s.slice;
+    }
+    plane.lastSlice = last;
+    if (!rebuild(plane, noise))
+        return nullptr;
+    ++nextPlane_;
+    for (const SegmentNumber number : plane.members)
+        segment(number).owner = plane.id;
+    planes_.push_back(std::move(plane));
+    return &planes_.back();
+}
+
+void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, int step, const NoiseParameters& noise)
+{
+    const int place = segment(numbers.front()).slice;
+    const PlaneInSlice& seen = seenIn(plane, place);
+    const auto ofSlice = [&](SegmentNumber number, int wanted) { return segment(number).slice < wanted; };
+    const auto begin = std::lower_bound(plane.members.begin(), plane.members.end(), place, ofSlice);
+    group_.clear();
+    for (auto member = begin; member != plane.members.end() && segment(*member).slice == place; ++member)
+        group_.push_back(&segment(*member).statistics);
+    // Segments of one slice share its pitch error: those that are in already are taken out and put back with the new.
+    if (!group_.empty())
+        plane.estimate.accumulate(seen, group_, noise, -1.0);
+    else
+        ++plane.slices;
+    for (const SegmentNumber number : numbers) {
+        group_.push_back(&segment(number).statistics);
+        segment(number).owner = plane.id;
+        plane.points += segment(number).statistics.points;
+        plane.members.insert(std::upper_bound(plane.members.begin(), plane.members.end(), number), number);
+    }
+    plane.estimate.accumulate(seen, group_, noise, 1.0);
+    plane.lastSlice = std::max(plane.lastSlice, place);
+    touch(plane, step);
+    if (++plane.slicesUnsolved >= kSolveEvery || plane.slices <= kYoungSlices) {
+        plane.estimate.solve();
+        plane.slicesUnsolved = 0;
+        if (plane.points > kRelineariseGrowth * plane.linearisedAt ||
+            plane.estimate.angleFromLinearisation() > kRelineariseAngle)
+            rebuild(plane, noise);
+    }
+}
+
+void TrackMap::collectMembers(int step)
+{
+    for (PlaneTrack& plane : planes_)
+        plane.members.clear();
+    for (SegmentNumber number = 0; number < segments(); ++number) {
+        if (segment(number).owner != kNoPlane)
+            plane(segment(number).owner).members.push_back(number);
+    }
+    for (PlaneTrack& plane : planes_) {
+        plane.points = 0;
+        plane.slices = 0;
+        plane.lastSlice = -1;
+        for (const SegmentNumber number : plane.members) {
+            const TrackedSegment& s = segment(number);
+            plane.points += s.statistics.points;
+            plane.slices += s.slice != plane.lastSlice ? 1 : 0;
+            plane.lastSlice = s.slice;
+        }
+        touch(plane, step);
+    }
+    std::erase_if(planes_, [](const PlaneTrack& plane) { return plane.members.empty(); });
+}
+
+void TrackMap::dissolve(PlaneId id)
+{
+    for (const SegmentNumber number : plane(id).members)
+        segment(number).owner = kNoPlane;
+    std::erase_if(planes_, [id](const PlaneTrack& plane) { return plane.id == id; });
+}
+
+}  // namespace planewright

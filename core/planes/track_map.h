@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/clusters/direction_clusters.h"
+#include "core/planes/plane_estimate.h"
+#include "core/types/plane.h"
+#include "core/types/step_recorder.h"
+
+namespace planewright {
+
+/// A slice among the segments of the scan.
+struct TrackedSlice {
+    int step = 0;
+    SliceFrame frame;
+    SegmentNumber first = 0;  ///< its segments are [first, end)
+    SegmentNumber end = 0;
+    int beamShift = 0;  ///< what makes its beams those of the first slice: interlaced scanners start elsewhere
+};
+
+/// A line segment as planes are made of it.
+struct TrackedSegment {
+    SegmentStatistics statistics;
+    int slice = 0;             ///< place of its slice
+    PlaneId owner = kNoPlane;  ///< the plane that it belongs to
+};
+
+/// A plane that follows its segments from slice to slice.
+struct PlaneTrack {
+    PlaneId id = kNoPlane;
+    PlaneEstimate estimate;
+    std::vector<SegmentNumber> members;  ///< in order
+    std::int64_t points = 0;
+    int slices = 0;                      ///< that its members are of
+    int lastSlice = -1;                  ///< place of the last of them
+    std::int64_t linearisedAt = 0;       ///< points when it was linearised last
+    int slicesUnsolved = 0;              ///< slices added since it was solved last
+    std::int64_t comparedAt = 0;         ///< points when it was compared for merging last
+    int bornStep = 0;
+    int changedStep = 0;
+    std::uint64_t revision = 0;
+    Lineage lineage;
+    PlaneInSlice seen;    ///< the plane in the slice seenIn
+    int seenIn = -1;
+    std::shared_ptr<const Plane> published;
+};
+
+/// What the extraction by likelihood knows between two steps.
+class TrackMap {
+public:
+    /// Takes in the segments of the next slice.
+    void append(const ScanSlice& slice, const SensorModel& sensor, std::span<const SegmentStatistics> segments);
+
+    int slices() const { return static_cast<int>(slices_.size()); }
+    const TrackedSlice& slice(int place) const { return slices_[static_cast<std::size_t>(place)]; }
+    SegmentNumber segments() const { return static_cast<SegmentNumber>(segments_.size()); }
+    TrackedSegment& segment(SegmentNumber number) { return segments_[static_cast<std::size_t>(number)]; }
+    const TrackedSegment& segment(SegmentNumber number) const { return segments_[static_cast<std::size_t>(number)]; }
+
+    std::vector<PlaneTrack>& planes() { return planes_; }
+    const std::vector<PlaneTrack>& planes() const { return planes_; }
+    PlaneTrack& plane(PlaneId id);
+
+    /// How many slices back count as next to a slice: two, or as many as lie within two ordinary tilt steps.
+    int lookback(int place) const;
+    /// Mean angle between neighbouring slices so far [rad].
+    double meanTiltStep() const;
+    double bearingStep() const { return bearingStep_; }
+
+    /// First and last beam of a segment among those of the first slice.
+    int firstBeam(SegmentNumber number) const;
+    int lastBeam(SegmentNumber number) const;
+
+    /// Calls `visit(SegmentNumber)` for each segment of a slice that overlaps beams [first, last] within a margin.
+    template <class Visit>
+    void visitOverlaps(int place, int first, int last, int margin, Visit visit) const
+    {
+        const TrackedSlice& at = slice(place);
+        for (SegmentNumber i = at.first; i < at.end; ++i) {
+            const SegmentStatistics& s = segments_[static_cast<std::size_t>(i)].statistics;
+            if (s.lastBeam + at.beamShift + margin < first)
+                continue;
+            if (s.firstBeam + at.beamShift > last + margin)
+                break;
+            visit(i);
+        }
+    }
+
+    /// The plane as it is seen in a slice.
+    const PlaneInSlice& seenIn(PlaneTrack& plane, int place);
+
+    /// χ² of a segment against a plane.
+    double joinChi(PlaneTrack& plane, SegmentNumber number, const NoiseParameters& noise, double floor)
+    {
+        const TrackedSegment& s = segment(number);
+        return plane.estimate.joinChi(seenIn(plane, s.slice), s.statistics, noise, floor);
+    }
+
+    /// Makes a plane of these segments, which belong to none. None where they do not determine one.
+    PlaneTrack* makePlane(std::vector<SegmentNumber> members, const PlaneEstimate& start, int step,
+                          const NoiseParameters& noise);
+
+    /// Adds segments of one slice to a plane; it is solved anew when due.
+    void join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, int step, const NoiseParameters& noise);
+
+    /// Works the plane out anew from its members, linearised where it is now; twice where asked for. Members that are
+    /// not in it by `counts` take no part in the fit.
+    template <class Counts>
+    bool rebuild(PlaneTrack& plane, const NoiseParameters& noise, Counts counts);
+    bool rebuild(PlaneTrack& plane, const NoiseParameters& noise);
+
+    /// Gives planes the segments that say they are theirs, after owners were changed; planes without any disappear.
+    void collectMembers(int step);
+
+    /// Removes a plane and frees its segments.
+    void dissolve(PlaneId id);
+
+    void touch(PlaneTrack& plane, int step);
+
+    DirectionClusters clusters;
+
+private:
+    std::vector<TrackedSlice> slices_;
+    std::vector<TrackedSegment> segments_;
+    std::vector<PlaneTrack> planes_;  // in order of id
+    PlaneId nextPlane_ = 0;
+    double bearingStep_ = 0.0;
+    double firstBearing_ = 0.0;
+    double tiltTravelled_ = 0.0;
+    std::vector<const SegmentStatistics*> group_;
+};
+
+template <class Counts>
+bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, Counts counts)
+{
+    PlaneEstimate estimate(plane.estimate.normal(), plane.estimate.distance());
+    for (std::size_t i = 0; i < plane.members.size();) {
+        const int place = segment(plane.members[i]).slice;
+        group_.clear();
+        for (; i < plane.members.size() && segment(plane.members[i]).slice == place; ++i) {
+            if (counts(plane.members[i]))
+                group_.push_back(&segment(plane.members[i]).statistics);
+        }
+        if (!group_.empty())
+            estimate.accumulate(estimate.inSlice(slice(place).frame), group_, noise, 1.0);
+    }
+    if (!estimate.solve())
+        return false;
+    plane.estimate = estimate;
+    plane.linearisedAt = plane.points;
+    plane.slicesUnsolved = 0;
+    plane.seenIn = -1;
+    return true;
+}
+
+}  // namespace planewright

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/planes/track_publishing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace planewright {
+
+namespace {
+
+/// Σ of squared distances of the points across their own line [m²], by the segment's weights.
+double squaredThickness(const SegmentStatistics& s)
+{
+    return s.offsetInformation > 0.0 ? s.chi * s.points / s.offsetInformation : 0.0;
+}
+
+/// Mean squared distance of the points from the centroid along the line [m²].
+double meanSquareAlong(const SegmentStatistics& s)
+{
+    return s.offsetInformation > 0.0 ? s.slopeInformation / s.offsetInformation : 0.0;
+}
+
+double rmsOf(const PlaneTrack& plane, const TrackMap& map)
+{
+    double sum = 0.0;
+    for (const SegmentNumber number : plane.members) {
+        const TrackedSegment& segment = map.segment(number);
+        const SegmentStatistics& s = segment.statistics;
+        const SliceFrame& frame = map.slice(segment.slice).frame;
+        const Eigen::Vector3d& n = plane.estimate.normal();
+        const double place = n.dot(frame.pointAt(s.u, s.v)) - plane.estimate.distance();
+        const double slope = n.dot(directionOf(number, map));
+        const double across = s.directionU * n.dot(frame.ahead) - s.directionV * n.x();
+        sum += s.points * (place * place + slope * slope * meanSquareAlong(s)) +
+               across * across * squaredThickness(s);
+    }
+    return std::sqrt(sum / static_cast<double>(std::max<std::int64_t>(1, plane.points)));
+}
+
+}  // namespace
+
+SegmentId idOf(SegmentNumber number, const TrackMap& map)
+{
+    const TrackedSlice& slice = map.slice(map.segment(number).slice);
+    return {slice.step, number - slice.first};
+}
+
+Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map)
+{
+    const TrackedSegment& s = map.segment(number);
+    return Eigen::Vector3d{s.statistics.directionU, 0.0, 0.0} +
+           s.statistics.directionV * map.slice(s.slice).frame.ahead;
+}
+
+double meanErrorOf(const PlaneTrack& plane)
+{
+    const double freedom = std::max(1.0, 2.0 * static_cast<double>(plane.members.size()) - 3.0);
+    return std::max(0.0, plane.estimate.chi()) / freedom;
+}
+
+Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, const NoiseParameters& noise)
+{
+    const TrackedSlice& slice = map.slice(place);
+    Segments segments;
+    segments.reserve(static_cast<std::size_t>(slice.end - slice.first));
+    for (SegmentNumber number = slice.first; number < slice.end; ++number) {
+        const SegmentStatistics& s = map.segment(number).statistics;
+        LineSegment segment;
+        segment.id = {slice.step, number - slice.first};
+        segment.firstBeam = s.firstBeam;
+        segment.lastBeam = s.lastBeam;
+        segment.points = s.points;
+        const auto end = [&](double along, Eigen::Vector3d& point, Eigen::Matrix3d& covariance) {
+            const double u = s.u + along * s.directionU;
+            const double v = s.v + along * s.directionV;
+            point = slice.frame.pointAt(u, v);
+            covariance = cartesianCovariance(std::hypot(u, v), std::atan2(v, u), slice.frame.tilt, sensor, noise);
+        };
+        end(s.start, segment.start, segment.startCovariance);
+        end(s.end, segment.end, segment.endCovariance);
+        segment.direction = -directionOf(number, map);
+        segment.viewpoint = slice.frame.origin;
+        segment.directionSigma = s.slopeInformation > 0.0 ? 1.0 / std::sqrt(s.slopeInformation) : std::numbers::pi;
+        segment.rms = std::sqrt(squaredThickness(s) / s.points);
+        segment.moments.count = s.points;
+        segment.moments.mean = slice.frame.pointAt(s.u, s.v);
+        const Eigen::Vector3d across =
+            Eigen::Vector3d{-s.directionV, 0.0, 0.0} + s.directionU * slice.frame.ahead;
+        segment.moments.scatter =
+            s.points * meanSquareAlong(s) * segment.direction * segment.direction.transpose() +
+            squaredThickness(s) * across * across.transpose();
+        segments.push_back(std::move(segment));
+    }
+    return segments;
+}
+
+std::shared_ptr<const Plane> publishedPlane(PlaneTrack& plane, const TrackMap& map)
+{
+    if (plane.published)
+        return plane.published;
+    auto shown = std::make_shared<Plane>();
+    shown->id = plane.id;
+    shown->revision = plane.revision;
+    shown->normal = plane.estimate.normal();
+    shown->distance = plane.estimate.distance();
+    shown->fittingError = meanErrorOf(plane);
+    shown->rms = rmsOf(plane, map);
+    makeCanonical(shown->normal, shown->distance);
+    shown->tangents = plane.estimate.tangents();
+    shown->covariance = plane.estimate.covariance();
+    shown->segments.reserve(plane.members.size());
+    for (const SegmentNumber number : plane.members)
+        shown->segments.push_back(idOf(number, map));
+    shown->points = static_cast<int>(plane.points);
+    shown->bornStep = plane.bornStep;
+    shown->changedStep = plane.changedStep;
+    shown->lineage = plane.lineage;
+    plane.published = std::move(shown);
+    return plane.published;
+}
+
+std::shared_ptr<const DirectionCluster> publishedCluster(GrowingCluster& cluster, const TrackMap& map)
+{
+    if (!cluster.published) {
+        auto shown = std::make_shared<DirectionCluster>();
+        shown->id = cluster.id;
+        shown->direction = cluster.direction;
+        shown->segments.reserve(cluster.members.size());
+        for (const auto& member : cluster.members)
+            shown->segments.push_back(idOf(member.segment, map));
+        cluster.published = std::move(shown);
+    }
+    return cluster.published;
+}
+
+}  // namespace planewright

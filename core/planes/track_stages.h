@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "core/planes/track_map.h"
+
+namespace planewright {
+
+/// Beams that two segments of neighbouring slices may miss each other by and still overlap.
+inline constexpr int kOverlapMargin = 3;
+
+/// Gives each segment of the newest slice to the plane that it fits best (section 4.1.4, Table III): of the planes of
+/// the segments it faces in the slices before, or else of the well-known planes seen lately. Returns those left over.
+std::vector<SegmentNumber> joinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// Makes planes of segments that belong to none, of slices from `firstSlice` on (section 4.3, Table V): three segments
+/// that face each other in three slices suggest a plane; the best supported come first and grow over the segments that
+/// they meet.
+void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, StepRecorder& recorder);
+
+/// Makes planes of two facing segments of neighbouring slices, where three were not to be had; only for the last pass.
+void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// Gives leftover segments of slices from `firstSlice` on another chance (Table I line 10).
+void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, StepRecorder& recorder);
+
+/// Merges planes that are one (section 4.4, Table VII lines 9 to 13).
+void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// Lets segments go that do not fit their plane, to a neighbour's plane or to none (section 4.4, Table VII lines 1 to
+/// 8): what leaves may make planes of its own.
+void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// Dissolves planes that are too small, too narrow or not flat.
+void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// The last fit of every plane, over the segments that fit it.
+void refineTracks(TrackMap& map, const Parameters& parameters);
+
+}  // namespace planewright

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/segments/beam_kernels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// One body each, inlined into a function per kind of processor, so that the compiler vectorises it for that kind.
+#define PLANEWRIGHT_BODY [[gnu::always_inline]] inline
+
+namespace planewright {
+
+namespace {
+
+constexpr int kLanes = 16;
+
+PLANEWRIGHT_BODY int placeBody(const double* __restrict ranges, const float* __restrict cosine,
+                               const float* __restrict sine, int beams, float rangeMin, float rangeMax,
+                               float constantVariance, float proportionalVariance, float* __restrict range,
+                               float* __restrict u, float* __restrict v, float* __restrict relativeVariance)
+{
+    int inside = 0;
+    for (int i = 0; i < beams; ++i) {
+        const auto measured = static_cast<float>(ranges[i]);
+        const bool echo = measured >= rangeMin && measured <= rangeMax;
+        const float r = echo ? measured : 0.0F;
+        const float safe = echo ? measured : 1.0F;
+        range[i] = r;
+        u[i] = r * cosine[i];
+        v[i] = r * sine[i];
+        relativeVariance[i] = constantVariance / (safe * safe) + proportionalVariance;
+        inside += echo ? 1 : 0;
+    }
+    return inside;
+}
+
+PLANEWRIGHT_BODY void markGapsBody(const BeamArrays& points, const float* __restrict range, int count,
+                                   float gapPerRange, float sigmas, std::uint8_t* __restrict marks)
+{
+    const float* __restrict u = points.u;
+    const float* __restrict v = points.v;
+    const float* __restrict relative = points.relativeVariance;
+    marks[0] = 1;
+    for (int i = 1; i < count; ++i) {
+        const float du = u[i] - u[i - 1];
+        const float dv = v[i] - v[i - 1];
+        const float limit = range[i - 1] * (gapPerRange + sigmas * std::sqrt(relative[i - 1]));
+        marks[i] = du * du + dv * dv >= limit * limit ? 1 : 0;
+    }
+}
+
+/// Squared deviation from a chord where it is beyond the limits, else 0.
+PLANEWRIGHT_BODY float countedDeviation(float u, float v, float relativeVariance, float normalU, float normalV,
+                                        float offset, const DeviationLimits& limits)
+{
+    const float along = normalU * u + normalV * v;
+    const float across = normalV * u - normalU * v;
+    const float deviation = along - offset;
+    const float squared = deviation * deviation;
+    const float variance = along * along * relativeVariance + across * across * limits.bearingVariance;
+    const float limit = std::max(limits.fixedSquared, limits.sigmasSquared * variance);
+    return squared > limit ? squared : 0.0F;
+}
+
+PLANEWRIGHT_BODY int farthestBody(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,
+                                  const DeviationLimits& limits)
+{
+    const float* __restrict u = points.u;
+    const float* __restrict v = points.v;
+    const float* __restrict relative = points.relativeVariance;
+    const float normalU = -chord.directionV;
+    const float normalV = chord.directionU;
+    const float offset = normalU * chord.u + normalV * chord.v;
+    float largest = 0.0F;
+    if (stride == 1) {
+        for (int i = first; i <= last; ++i)
+            largest = std::max(largest, countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits));
+    } else {
+        for (int i = first; i <= last; i += stride)
+            largest = std::max(largest, countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits));
+    }
+    if (largest == 0.0F)
+        return -1;
+    for (int i = first; i <= last; i += stride) {
+        if (countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits) == largest)
+            return i;
+    }
+    return -1;
+}
+
+PLANEWRIGHT_BODY float laneSum(const float* lanes)
+{
+    float eight[8];
+    for (int i = 0; i < 8; ++i)
+        eight[i] = lanes[i] + lanes[i + 8];
+    return ((eight[0] + eight[4]) + (eight[2] + eight[6])) + ((eight[1] + eight[5]) + (eight[3] + eight[7]));
+}
+
+/// Every point counts alike.
+struct PlainWeight {
+    PLANEWRIGHT_BODY float operator()(float) const { return 1.0F; }
+};
+
+/// The inverse of a point's variance across the line, by the range that the line predicts for it.
+struct NoiseWeight {
+    float foot;
+    float offsetSquared;
+    float constant;
+    float proportional;
+    float bearing;
+
+    PLANEWRIGHT_BODY float operator()(float t) const
+    {
+        const float x = t - foot;
+        const float xx = x * x;
+        return 1.0F / (constant / (offsetSquared + xx) + proportional + xx * bearing);
+    }
+};
+
+/// Adds up weight, t, h, tt, th and hh over points in sixteen lanes; `weigh(t)` gives a point's weight.
+template <class Weigh>
+PLANEWRIGHT_BODY ChordSums sumsBody(const BeamArrays& points, int first, int last, const ChordF& chord, Weigh weigh)
+{
+    const float* __restrict u = points.u;
+    const float* __restrict v = points.v;
+    float sumW[kLanes] = {};
+    float sumT[kLanes] = {};
+    float sumH[kLanes] = {};
+    float sumTT[kLanes] = {};
+    float sumTH[kLanes] = {};
+    float sumHH[kLanes] = {};
+    const auto add = [&](int i, int lane) {
+        const float du = u[i] - chord.u;
+        const float dv = v[i] - chord.v;
+        const float t = chord.directionU * du + chord.directionV * dv;
+        const float h = chord.directionU * dv - chord.directionV * du;
+        const float w = weigh(t);
+        const float wt = w * t;
+        const float wh = w * h;
+        sumW[lane] += w;
+        sumT[lane] += wt;
+        sumH[lane] += wh;
+        sumTT[lane] += wt * t;
+        sumTH[lane] += wt * h;
+        sumHH[lane] += wh * h;
+    };
+    int i = first;
+    for (; i + kLanes <= last + 1; i += kLanes) {
+        for (int lane = 0; lane < kLanes; ++lane)
+            add(i + lane, lane);
+    }
+    for (int lane = 0; i <= last; ++i, ++lane)
+        add(i, lane);
+    return {laneSum(sumW), laneSum(sumT), laneSum(sumH), laneSum(sumTT), laneSum(sumTH), laneSum(sumHH)};
+}
+
+PLANEWRIGHT_BODY ChordSums plainSumsBody(const BeamArrays& points, int first, int last, const ChordF& chord)
+{
+    return sumsBody(points, first, last, chord, PlainWeight{});
+}
+
+PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first, int last, const ChordF& chord,
+                                            const WeightModel& model)
+{
+    const float squared = model.offset * model.offset;
+    return sumsBody(points, first, last, chord,
+                    NoiseWeight{model.foot, squared, squared * model.constantVariance,
+                                squared * model.proportionalVariance, model.bearingVariance});
+}
+
+// A function of each body for one kind of processor.
+#define PLANEWRIGHT_KERNELS(KIND, TARGET)                                                                            \
+    TARGET int place##KIND(const double* ranges, const float* cosine, const float* sine, int beams, float rangeMin, \
+                           float rangeMax, float constantVariance, float proportionalVariance, float* range,        \
+                           float* u, float* v, float* relativeVariance)                                              \
+    {                                                                                                                \
+        return placeBody(ranges, cosine, sine, beams, rangeMin, rangeMax, constantVariance, proportionalVariance,    \
+                         range, u, v, relativeVariance);                                                             \
+    }                                                                                                                \
+    TARGET void markGaps##KIND(const BeamArrays& points, const float* range, int count, float gapPerRange,           \
+                               float sigmas, std::uint8_t* marks)                                                    \
+    {                                                                                                                \
+        markGapsBody(points, range, count, gapPerRange, sigmas, marks);                                              \
+    }                                                                                                                \
+    TARGET int farthest##KIND(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,        \
+                              const DeviationLimits& limits)                                                         \
+    {                                                                                                                \
+        return farthestBody(points, first, last, stride, chord, limits);                                             \
+    }                                                                                                                \
+    TARGET ChordSums sums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord)                  \
+    {                                                                                                                \
+        return plainSumsBody(points, first, last, chord);                                                            \
+    }                                                                                                                \
+    TARGET ChordSums weightedSums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord,          \
+                                        const WeightModel& model)                                                    \
+    {                                                                                                                \
+        return weightedSumsBody(points, first, last, chord, model);                                                  \
+    }                                                                                                                \
+    constexpr BeamKernels k##KIND{#KIND, place##KIND, markGaps##KIND, farthest##KIND, sums##KIND, weightedSums##KIND};
+
+PLANEWRIGHT_KERNELS(Baseline, )
+#ifdef __x86_64__
+PLANEWRIGHT_KERNELS(Avx2, [[gnu::target("avx2")]])
+PLANEWRIGHT_KERNELS(Avx512, [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq")]])
+#endif
+
+#ifdef __x86_64__
+constexpr std::array kKinds{kBaseline, kAvx2, kAvx512};
+
+std::size_t supportedKinds()
+{
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx2") == 0)
+        return 1;
+    const bool avx512 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+                        __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+    return avx512 ? 3 : 2;
+}
+#else
+constexpr std::array kKinds{kBaseline};
+
+std::size_t supportedKinds()
+{
+    return 1;
+}
+#endif
+
+}  // namespace
+
+std::span<const BeamKernels> availableBeamKernels()
+{
+    static const std::size_t kinds = supportedKinds();
+    return std::span{kKinds}.first(kinds);
+}
+
+const BeamKernels& beamKernels()
+{
+    return availableBeamKernels().back();
+}
+
+}  // namespace planewright

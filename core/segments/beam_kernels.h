@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace planewright {
+
+/// Scan points of a slice as structure of floats: the laser's frame in the slice's own plane, u right, v ahead [m].
+struct BeamArrays {
+    const float* u = nullptr;
+    const float* v = nullptr;
+    const float* relativeVariance = nullptr;  ///< σ_ρ²/ρ²
+};
+
+/// A straight line through a point in the slice's plane.
+struct ChordF {
+    float u = 0.0F;
+    float v = 0.0F;
+    float directionU = 1.0F;
+    float directionV = 0.0F;
+};
+
+/// What makes a point's deviation from a chord count.
+struct DeviationLimits {
+    float fixedSquared = 0.0F;      ///< smallest squared deviation [m²]
+    float sigmasSquared = 0.0F;     ///< in variances of the point across the chord
+    float bearingVariance = 0.0F;   ///< σ_θ² [rad²]
+};
+
+/// Sums over points in the frame of a chord: t along it, h across it [m].
+struct ChordSums {
+    float weight = 0.0F;
+    float t = 0.0F, h = 0.0F;
+    float tt = 0.0F, th = 0.0F, hh = 0.0F;
+};
+
+/// Range noise as line fits weigh it: σ² = constant² + (proportional ρ)².
+struct WeightModel {
+    float offset = 0.0F;            ///< distance of the line from the laser [m]
+    float foot = 0.0F;              ///< t of the point nearest to the laser [m]
+    float constantVariance = 0.0F;  ///< [m²]
+    float proportionalVariance = 0.0F;
+    float bearingVariance = 0.0F;   ///< [rad²]
+};
+
+/// The inner loops over scan points, for one kind of processor.
+///
+/// All kinds give the same bits: sums run in sixteen lanes that are added up in a fixed order, products and sums are
+/// never contracted, and everything else is independent of order.
+struct BeamKernels {
+    const char* name;
+
+    /// range [m], u and v of every beam, and σ_ρ²/ρ²; all 0 where the range is outside the limits. Gives the number of
+    /// beams inside. All arrays have a multiple of sixteen elements.
+    int (*place)(const double* ranges, const float* cosine, const float* sine, int beams, float rangeMin,
+                 float rangeMax, float constantVariance, float proportionalVariance, float* range, float* u, float* v,
+                 float* relativeVariance);
+
+    /// Marks with 1 each point i in 1 … count − 1 that is farther from its predecessor than D_o of Eq. (3): gapPerRange
+    /// times range, plus `sigmas` standard deviations of a range. Mark 0 is 1.
+    void (*markGaps)(const BeamArrays& points, const float* range, int count, float gapPerRange, float sigmas,
+                     std::uint8_t* marks);
+
+    /// The point of [first, last] with the largest deviation from the chord among those beyond the limits, every
+    /// `stride`th looked at; −1 where there is none.
+    int (*farthest)(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,
+                    const DeviationLimits& limits);
+
+    /// Sums over the points [first, last], each of weight 1.
+    ChordSums (*sums)(const BeamArrays& points, int first, int last, const ChordF& chord);
+
+    /// Sums over the points [first, last], each weighed by the inverse of its variance across the chord.
+    ChordSums (*weightedSums)(const BeamArrays& points, int first, int last, const ChordF& chord,
+                              const WeightModel& model);
+};
+
+/// All kinds that this processor can run, the fastest last.
+std::span<const BeamKernels> availableBeamKernels();
+
+/// The fastest kind that this processor can run.
+const BeamKernels& beamKernels();
+
+}  // namespace planewright

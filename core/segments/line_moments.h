@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace planewright {
+
+/// Count, mean and scatter of points in the slice's plane: sums that add and subtract.
+struct LineMoments {
+    double count = 0.0;
+    double u = 0.0, v = 0.0;                 ///< mean [m]
+    double uu = 0.0, uv = 0.0, vv = 0.0;     ///< Σ (p − mean)(p − mean)ᵀ [m²]
+
+    /// Takes in the points of another set.
+    void add(const LineMoments& other)
+    {
+        const double total = count + other.count;
+        const double du = other.u - u;
+        const double dv = other.v - v;
+        const double shared = count * other.count / total;
+        uu += other.uu + shared * du * du;
+        uv += other.uv + shared * du * dv;
+        vv += other.vv + shared * dv * dv;
+        const double share = other.count / total;
+        u += share * du;
+        v += share * dv;
+        count = total;
+    }
+
+    void add(double pointU, double pointV) { add({1.0, pointU, pointV, 0.0, 0.0, 0.0}); }
+
+    /// Takes out a point that is in it; at least one must stay.
+    void remove(double pointU, double pointV)
+    {
+        const double left = count - 1.0;
+        const double du = pointU - u;
+        const double dv = pointV - v;
+        u -= du / left;
+        v -= dv / left;
+        const double shared = count / left;
+        uu -= shared * du * du;
+        uv -= shared * du * dv;
+        vv -= shared * dv * dv;
+        count = left;
+    }
+};
+
+/// A straight line in the slice's plane through its points' mean, by total least squares.
+struct MomentLine {
+    double directionU = 1.0, directionV = 0.0;  ///< unit vector
+    double along = 0.0;                         ///< Σ of squared distances from the mean along the line [m²]
+    double across = 0.0;                        ///< Σ of squared distances from the line [m²]
+
+    double normalU() const { return -directionV; }
+    double normalV() const { return directionU; }
+};
+
+/// The line of least squares through the points of these moments; `directionU`, `directionV` keep no side.
+inline MomentLine lineOf(const LineMoments& moments)
+{
+    // Larger eigenvalue and its eigenvector by the half angle: cos 2α = half/root, sin 2α = uv/root.
+    MomentLine line;
+    const double half = 0.5 * (moments.uu - moments.vv);
+    const double root = std::sqrt(half * half + moments.uv * moments.uv);
+    const double middle = 0.5 * (moments.uu + moments.vv);
+    if (root > 0.0) {
+        const double larger = std::sqrt(0.5 + 0.5 * std::abs(half) / root);
+        const double smaller = std::copysign(0.5 * std::abs(moments.uv) / (root * larger), moments.uv);
+        line.directionU = half >= 0.0 ? larger : std::abs(smaller);
+        line.directionV = half >= 0.0 ? smaller : std::copysign(larger, moments.uv);
+    }
+    line.along = middle + root;
+    // The smaller eigenvalue as determinant over the larger one: middle − root would cancel.
+    line.across =
+        line.along > 0.0
+            ? std::max(0.0, (moments.uu * moments.vv - moments.uv * moments.uv) / line.along)
+            : 0.0;
+    return line;
+}
+
+}  // namespace planewright
