@@ -251,7 +251,7 @@ struct LikelihoodParameters {
     double minSolidAngle = 0.0106;
     double stripWidth = 0.12;
     double stripShare = 0.6;
-    double flatChi = 1.5;
+    double bentShare = 0.5;
 
     static constexpr auto describe()
     {
@@ -282,8 +282,8 @@ struct LikelihoodParameters {
                       "Narrower planes that stand free on both sides are poles, not planes."},
             Parameter{"likelihood.strip-share", &LikelihoodParameters::stripShare, Unit::None, Range{0.0, 1.0}, "",
                       "Share of its slices in which a narrow plane stands free to be a pole."},
-            Parameter{"likelihood.flat-chi", &LikelihoodParameters::flatChi, Unit::None, Range{0.1, 1000.0}, "",
-                      "Largest reduced chi-square of a plane, beside the scatter of its number of segments."},
+            Parameter{"likelihood.bent-share", &LikelihoodParameters::bentShare, Unit::None, Range{0.0, 1.0}, "",
+                      "A plane has at most this share of its points in segments that are no straight lines."},
         };
     }
 };

@@ -21,6 +21,8 @@ constexpr std::array kStrides{1, 2, 4, 8};
 constexpr int kEmptySlices = 3;
 /// Segments whose centroids are farther than this from the plane of the two others are no triple [m].
 constexpr double kRoughlyCoplanar = 0.08;
+/// Sine of the angle at which rays must meet a plane at least; a slice's own plane is none.
+constexpr double kGrazing = 0.02;
 /// Points that a pair of segments must have.
 constexpr int kPairPoints = 40;
 
@@ -48,7 +50,8 @@ bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, co
     Eigen::Vector3d across = centroid(c, map) - centroid(a, map);
     const Eigen::Vector3d normal = along.cross(across);
     const double length = normal.norm();
-    if (!(length > 1e-3 * across.norm()) || length == 0.0)
+    const Eigen::Vector3d ray = centroid(c, map) - map.slice(map.segment(c).slice).frame.origin;
+    if (!(length > 1e-3 * across.norm()) || std::abs(normal.dot(ray)) < kGrazing * length * ray.norm())
         return false;
     estimate = PlaneEstimate(normal / length, normal.dot(centroid(a, map)) / length);
     for (int round = 0; round < 2; ++round) {

@@ -13,6 +13,8 @@ namespace {
 
 /// A segment with a smaller χ² stays where it is; another plane must be better by as much.
 constexpr double kContent = 2.0;
+/// Mean squared residual of a straight segment at most, beside its scatter: sensors are noisier than told.
+constexpr double kStraightChi = 2.0;
 
 struct Better {
     PlaneTrack* plane = nullptr;
@@ -68,6 +70,32 @@ Strip stripOf(const PlaneTrack& plane, const TrackMap& map)
     return strip;
 }
 
+/// Share of a plane's points in segments that are no straight lines.
+double bentShare(const PlaneTrack& plane, const TrackMap& map)
+{
+    std::int64_t bent = 0;
+    for (const SegmentNumber number : plane.members) {
+        const SegmentStatistics& s = map.segment(number).statistics;
+        const double freedom = std::max(1.0, s.points - 2.0);
+        if (s.chi > kStraightChi * (freedom + 4.0 * std::sqrt(2.0 * freedom)))
+            bent += s.points;
+    }
+    return static_cast<double>(bent) / static_cast<double>(plane.points);
+}
+
+/// Mean sine of the angle at which rays meet the plane.
+double incidenceOf(const PlaneTrack& plane, const TrackMap& map)
+{
+    double sum = 0.0;
+    for (const SegmentNumber number : plane.members) {
+        const TrackedSegment& s = map.segment(number);
+        const SliceFrame& frame = map.slice(s.slice).frame;
+        const Eigen::Vector3d ray = frame.pointAt(s.statistics.u, s.statistics.v) - frame.origin;
+        sum += s.statistics.points * std::abs(plane.estimate.normal().dot(ray)) / ray.norm();
+    }
+    return sum / static_cast<double>(plane.points);
+}
+
 }  // namespace
 
 void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
@@ -113,7 +141,6 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
     std::vector<PlaneId> unfounded;
     for (const PlaneTrack& plane : map.planes()) {
         const Strip strip = stripOf(plane, map);
-        const double freedom = std::max(1.0, 2.0 * static_cast<double>(plane.members.size()) - 3.0);
         const bool narrow = strip.width < p.stripWidth && strip.freeShare > p.stripShare;
         const std::vector<Test> tests{
             {"points", static_cast<double>(plane.points), Comparison::GreaterEqual, minPoints},
@@ -122,8 +149,8 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
             {"slices", static_cast<double>(plane.slices), Comparison::GreaterEqual,
              static_cast<double>(parameters.planes.minSlices)},
             {"free_strip_share", narrow ? strip.freeShare : 0.0, Comparison::LessEqual, p.stripShare},
-            {"reduced_chi2", plane.estimate.chi() / freedom, Comparison::LessEqual,
-             p.flatChi * (1.0 + 4.0 * std::sqrt(2.0 / freedom))},
+            {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
+            {"incidence", incidenceOf(plane, map), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };
         if (std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); }))
             continue;
