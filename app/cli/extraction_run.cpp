@@ -77,12 +77,15 @@ public:
     Result<void> work(OnStep onStep)
     {
         for (const ScanSlice& slice : recording_.slices) {
-            const nanoseconds took = take([&] { return extractor_.step(slice); });
-            times_.steps.push_back(took);
-            if (Result<void> heard = onStep(snapshot_->report); !heard)
+            const nanoseconds began = now();
+            const StepReport report = extractor_.advance(slice);
+            times_.steps.push_back(count(began, report));
+            if (Result<void> heard = onStep(report); !heard)
                 return heard;
         }
-        take([&] { return extractor_.finish(); });
+        const nanoseconds began = now();
+        snapshot_ = extractor_.finish();
+        count(began, snapshot_->report);
         return onStep(snapshot_->report);
     }
 
@@ -90,16 +93,13 @@ public:
     RunTimes& times() { return times_; }
 
 private:
-    template <class Work>
-    nanoseconds take(Work work)
+    /// Counts the time since then in; gives it.
+    nanoseconds count(nanoseconds began, const StepReport& report)
     {
-        const nanoseconds began = now();
-        std::shared_ptr<const Snapshot> next = work();
         const nanoseconds took = now() - began;
-        snapshot_ = std::move(next);  // freeing the snapshot before is not the extractor's work
         times_.total += took;
         for (std::size_t phase = 0; phase < kPhases; ++phase)
-            times_.phases[phase] += snapshot_->report.times[phase];
+            times_.phases[phase] += report.times[phase];
         return took;
     }
 

@@ -44,7 +44,7 @@ Run extract(const Recording& recording)
         before = now;
     };
     for (const ScanSlice& slice : recording.slices) {
-        extractor.step(slice);
+        extractor.advance(slice);
         lap();
     }
     const auto found = extractor.finish();
