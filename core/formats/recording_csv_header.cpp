@@ -68,7 +68,7 @@ private:
     void add(std::string_view what, std::string_view name = {}) { problems_.add(what, lines_.number(), 0, name); }
     bool readKey(std::string_view line);
     void setKey(std::string_view key, std::string_view value);
-    void setNumber(std::size_t index, std::string_view value);
+    void setNumber(std::size_t index, std::string_view text);
     bool readColumns(std::string_view line);
     void checkCompleteness();
     void checkValues();
