@@ -50,7 +50,8 @@ Result<void> print(std::string_view text)
 {
     if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
         return {};
-    return fail(ErrorCode::NotWritten, std::string{"standard output: "} + std::strerror(errno));
+    return fail(ErrorCode::NotWritten, std::string{"standard output: "} + std::strerror(errno) +
+                                           "; send it to a file or program that takes it");
 }
 
 }  // namespace planewright

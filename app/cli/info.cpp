@@ -85,7 +85,7 @@ std::string factLine(const std::string& label, const std::string& value)
 {
     constexpr std::size_t kColumn = 26;
     const std::string blanks(label.size() < kColumn ? kColumn - label.size() : 1, ' ');
-    return "  " + label + blanks + value + "\n";
+    return "  " + label + blanks + (value.empty() ? "not given" : value) + "\n";
 }
 
 Result<ExitCode> info(const std::vector<std::string>& paths, bool asJson)

@@ -4,6 +4,7 @@
 #include "app/cli/parameter_options.h"
 
 #include <cstdlib>
+#include <optional>
 #include <sys/stat.h>
 
 #include "app/cli/console.h"
@@ -23,15 +24,17 @@ bool exists(const std::string& path)
     return ::stat(path.c_str(), &status) == 0;
 }
 
-/// Where the user keeps a preset of this name.
-std::string ownPreset(const std::string& name)
+/// Where the user keeps a preset of this name; a user without a home has none.
+std::optional<std::string> ownPreset(const std::string& name)
 {
     const char* config = std::getenv("XDG_CONFIG_HOME");
     const char* home = std::getenv("HOME");
-    const std::string base = config != nullptr && *config == '/' ? std::string{config}
-                             : home != nullptr                   ? std::string{home} + "/.config"
-                                                                 : std::string{};
-    return base + "/planewright/presets/" + name + ".json";
+    const std::string own = "/planewright/presets/" + name + ".json";
+    if (config != nullptr && *config == '/')
+        return config + own;
+    if (home != nullptr && *home == '/')
+        return home + ("/.config" + own);
+    return std::nullopt;
 }
 
 std::vector<std::string_view> namesOf(const std::vector<Preset>& presets)
@@ -50,8 +53,8 @@ Result<void> applyNamed(const std::string& name, const std::vector<Preset>& know
         apply(*preset, parameters);
         return {};
     }
-    const bool isName = name.find('/') == std::string::npos;
-    const std::string path = isName && exists(ownPreset(name)) ? ownPreset(name) : name;
+    const auto own = name.find('/') == std::string::npos ? ownPreset(name) : std::nullopt;
+    const std::string path = own && exists(*own) ? *own : name;
     if (!exists(path))
         return fail(ErrorCode::Usage,
                     option + ": '" + name + "' is neither a known name (" + joined(namesOf(known)) + ") nor a file");

@@ -17,9 +17,10 @@ namespace {
 /// Says what is wrong with the command line and where help is.
 ExitCode refuse(const CLI::App& program, const CLI::ParseError& error)
 {
-    const std::vector<std::string> rest = program.remaining();
-    if (program.get_subcommands().empty() && (rest.empty() || !rest.front().starts_with('-'))) {
-        printError((rest.empty() ? "give a command" : "there is no command '" + rest.front() + "'") +
+    if (program.get_subcommands().empty()) {
+        const std::vector<std::string> rest = program.remaining();
+        const std::string kind = rest.empty() || !rest.front().starts_with('-') ? "command" : "option";
+        printError((rest.empty() ? "give a command" : "there is no " + kind + " '" + rest.front() + "'") +
                    "; see 'planewright-cli --help'");
         return ExitCode::Usage;
     }
@@ -30,6 +31,17 @@ ExitCode refuse(const CLI::App& program, const CLI::ParseError& error)
     }
     printError(std::string{error.what()} + "; see '" + name + " --help'");
     return ExitCode::Usage;
+}
+
+/// An empty value is the script's unset variable, not the wish to leave the option out.
+void refuseEmptyValues(CLI::App& app)
+{
+    for (CLI::Option* option : app.get_options()) {
+        if (option->get_items_expected_max() > 0)
+            option->check([](const std::string& value) { return value.empty() ? "give a value" : std::string{}; });
+    }
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        refuseEmptyValues(*command);
 }
 
 }  // namespace
@@ -44,6 +56,7 @@ ExitCode runProgram(int argc, char** argv)
     for (const auto add : {addExtractCommand, addSimulateCommand, addConvertCommand, addInfoCommand, addValidateCommand,
                            addCompareCommand, addParamsCommand})
         add(program, command);
+    refuseEmptyValues(program);
     Result<ExitCode> code = ExitCode::Done;
     try {
         program.parse(argc, argv);

@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/cli/commands.h"
@@ -18,6 +20,7 @@ namespace {
 /// What is to say about one file.
 struct Verdict {
     ExitCode code = ExitCode::Done;
+    std::string_view word = "valid";
     RecordingProblems found;
 };
 
@@ -25,18 +28,13 @@ Verdict judge(const std::string& path)
 {
     const auto input = openInput(path);
     if (!input)
-        return {ExitCode::Unreadable, {{input.error().message}, 0, {}, false}};
-    Verdict verdict{ExitCode::Done, recordingProblems(**input, path)};
-    if (!verdict.found.problems.empty())
-        verdict.code = ExitCode::Unreadable;
-    else if (verdict.found.damaged)
-        verdict.code = ExitCode::Damaged;
-    return verdict;
-}
-
-std::string_view wordFor(ExitCode code)
-{
-    return code == ExitCode::Done ? "valid" : code == ExitCode::Damaged ? "damaged" : "malformed";
+        return {ExitCode::Unreadable, "unreadable", {{input.error().message}, 0, {}, false}};
+    RecordingProblems found = recordingProblems(**input, path);
+    if (!found.problems.empty())
+        return {ExitCode::Unreadable, "malformed", std::move(found)};
+    if (found.damaged)
+        return {ExitCode::Damaged, "damaged", std::move(found)};
+    return {ExitCode::Done, "valid", std::move(found)};
 }
 
 std::string describe(const std::string& path, const Verdict& verdict)
@@ -48,7 +46,7 @@ std::string describe(const std::string& path, const Verdict& verdict)
         text += path + ": " + std::to_string(verdict.found.more) + " more problems\n";
     for (const std::string& warning : verdict.found.warnings)
         text += "warning: " + warning + "\n";
-    return text + path + ": " + std::string{wordFor(verdict.code)} + "\n";
+    return text + path + ": " + std::string{verdict.word} + "\n";
 }
 
 Result<ExitCode> validate(const std::vector<std::string>& paths, bool asJson)
@@ -61,7 +59,7 @@ Result<ExitCode> validate(const std::vector<std::string>& paths, bool asJson)
     for (const std::string& path : paths) {
         const Verdict verdict = judge(path);
         all.push_back({{"file", path},
-                       {"verdict", wordFor(verdict.code)},
+                       {"verdict", verdict.word},
                        {"problems", verdict.found.problems},
                        {"more_problems", verdict.found.more},
                        {"warnings", verdict.found.warnings}});

@@ -11,7 +11,7 @@
 namespace planewright {
 
 namespace {
-constexpr std::size_t kInputSize = 64 * 1024;
+constexpr std::size_t kInputSize = std::size_t{64} * 1024;
 constexpr int kGzipOnly = 15 + 16;  // the largest window, and a gzip header as zlib asks for it
 }  // namespace
 

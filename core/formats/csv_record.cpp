@@ -16,14 +16,12 @@ public:
     bool add(std::string_view line)
     {
         for (const char c : line) {
-            if (inQuotes_ && c != '"')
-                cell_ += c;
-            else if (inQuotes_) {
+            if (inQuotes_ && c == '"') {
                 inQuotes_ = false;
                 wasQuoted_ = true;
-            } else if (c == ',')
+            } else if (!inQuotes_ && c == ',')
                 endCell();
-            else if (c == '"') {
+            else if (!inQuotes_ && c == '"') {
                 if (!wasQuoted_ && !cell_.empty())
                     return false;
                 // A second quote at once is a quote of the text.

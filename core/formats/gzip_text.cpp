@@ -38,7 +38,7 @@ GzipText::~GzipText()
 void GzipText::add(std::string_view piece, bool finish, std::string& compressed)
 {
     z_stream& stream = state_->stream;
-    std::array<char, 32 * 1024> ready;
+    std::array<char, std::size_t{32} * 1024> ready;
     // zlib's interface predates const; it does not write here.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(piece.data()));
     stream.avail_in = static_cast<uInt>(piece.size());

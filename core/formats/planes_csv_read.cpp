@@ -3,6 +3,7 @@
 
 #include <array>
 #include <istream>
+#include <utility>
 
 #include "core/formats/csv_record.h"
 #include "core/formats/message_text.h"
@@ -25,7 +26,7 @@ constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
 
 class PlanesCsvReader {
 public:
-    PlanesCsvReader(std::istream& in, const std::string& fileName) : lines_(in, kLongestRow), fileName_(fileName) {}
+    PlanesCsvReader(std::istream& in, std::string fileName) : lines_(in, kLongestRow), fileName_(std::move(fileName)) {}
 
     Result<std::vector<PlaneRecord>> read();
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::string_view kFormat = "nodding-laser-csv 1";
 constexpr std::size_t kMostHeaderLines = 1000;
+constexpr std::size_t kMostHeaderBytes = std::size_t{1} << 20;  ///< all keys are kept in memory
 
 /// A header key whose value is a number, and its limits, which are whole.
 struct NumberKey {
@@ -67,7 +68,7 @@ private:
     void add(std::string_view what, std::string_view name = {}) { problems_.add(what, lines_.number(), 0, name); }
     bool readKey(std::string_view line);
     void setKey(std::string_view key, std::string_view value);
-    void setNumber(std::size_t index, std::string_view value);
+    void setNumber(std::size_t index, std::string_view text);
     bool readColumns(std::string_view line);
     void checkCompleteness();
     void checkValues();
@@ -80,6 +81,7 @@ private:
     std::array<double, kNumberKeys> values_{};
     std::array<bool, kNumberKeys> valid_{};
     std::size_t rangeMaxLine_ = 0;
+    std::size_t bytes_ = 0;
     RecordingHeader header_;
 };
 
@@ -132,6 +134,12 @@ bool HeaderReader::readKey(std::string_view line)
         equals == std::string_view::npos ? std::string_view{} : trimmed(line.substr(1, equals - 1));
     if (seen_.size() == kMostHeaderLines) {
         add("more than " + std::to_string(kMostHeaderLines) + " header lines; remove those that are not needed");
+        return false;
+    }
+    bytes_ += line.size();
+    if (bytes_ > kMostHeaderBytes) {
+        add("more than " + std::to_string(kMostHeaderBytes) +
+            " bytes of header lines; remove those that are not needed");
         return false;
     }
     if (key.empty())

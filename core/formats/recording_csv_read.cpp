@@ -49,7 +49,7 @@ private:
 /// True while the limits allow one more slice.
 bool RecordingPass::fits(const RecordingHeader& header)
 {
-    const std::size_t beams = static_cast<std::size_t>(header.description.beams);
+    const auto beams = static_cast<std::size_t>(header.description.beams);
     if (slices_ == static_cast<std::size_t>(kMaxSlices))
         problems_.add("more than " + std::to_string(kMaxSlices) + " slices; split the recording", lines_.number());
     else if ((slices_ + 1) * beams > kMaxRanges)

@@ -50,7 +50,7 @@ public:
         return false;
     }
 
-    json root;
+    json root = json::value_t::null;  // nlohmann's constructor without it promises more than it can hold
     std::string problem;
     std::size_t errorPosition = 0;  ///< bytes up to a fault of syntax; 0 where there is none
 
@@ -101,7 +101,7 @@ private:
 Result<json> parseStrictJson(std::istream& in, const std::string& fileName)
 {
     std::string text;
-    std::vector<char> piece(64 * 1024);
+    std::vector<char> piece(std::size_t{64} * 1024);
     while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())), in.gcount() > 0) {
         text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
         if (text.size() > kMaxJsonBytes)
@@ -133,8 +133,8 @@ Result<void> checkJsonFormat(const json& object, std::string_view name, int vers
         return fail(ErrorCode::Unreadable, placeInFile(fileName, 0) + what);
     };
     if (!object.is_object() || !object.contains("format") || !object["format"].is_string())
-        return refuse("there is no \"format\":\"" + wanted + "\"; give a file of this format");
-    const std::string& format = object["format"].get_ref<const std::string&>();
+        return refuse(R"(there is no "format":")" + wanted + R"("; give a file of this format)");
+    const auto& format = object["format"].get_ref<const std::string&>();
     if (format == wanted)
         return {};
     if (format.starts_with(std::string{name} + " ")) {

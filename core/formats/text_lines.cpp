@@ -3,14 +3,11 @@
 
 #include "core/formats/text_lines.h"
 
-#include <algorithm>
-#include <cstring>
-
 namespace planewright {
 
 namespace {
 
-constexpr std::size_t kReadSize = 64 * 1024;
+constexpr std::size_t kReadSize = std::size_t{64} * 1024;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string describe(ByteSource::End end)
@@ -53,11 +50,9 @@ std::optional<std::string_view> TextLines::next()
         return std::nullopt;
     std::size_t length = 0;
     for (;;) {
-        const char* from = buffer_.data() + scanned_;
-        const void* found = std::memchr(from, '\n', buffer_.size() - scanned_);
-        terminated_ = found != nullptr;
-        const std::size_t lineEnd =
-            terminated_ ? static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data()) : buffer_.size();
+        const std::size_t found = buffer_.find('\n', scanned_);
+        terminated_ = found != std::string::npos;
+        const std::size_t lineEnd = terminated_ ? found : buffer_.size();
         length = lineEnd - begin_;
         scanned_ = lineEnd;
         if (length > longestLine_) {

@@ -54,7 +54,7 @@ std::optional<double> readNumber(std::string_view text)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
         return std::nullopt;
-    return value;
+    return value + 0.0;  // -0 becomes 0
 }
 
 template <class Value>

@@ -61,7 +61,7 @@ int SceneBuilder::level(std::string name, double height, const Eigen::Vector2d& 
                      {0.0, to.y() - from.y(), 0.0});
 }
 
-int SceneBuilder::wall(std::string name, const WallPlan& plan, std::vector<Opening> openings)
+int SceneBuilder::wall(const std::string& name, const WallPlan& plan, std::vector<Opening> openings)
 {
     std::sort(openings.begin(), openings.end(), [](const Opening& a, const Opening& b) { return a.from < b.from; });
     const Eigen::Vector2d along = directionOf(plan);
@@ -73,7 +73,7 @@ int SceneBuilder::wall(std::string name, const WallPlan& plan, std::vector<Openi
         const Eigen::Vector3d u = raised((to - from) * along, 0.0);
         const Eigen::Vector3d v(0.0, 0.0, top - bottom);
         if (plane == kNoTruePlane)
-            plane = rectangle(std::move(name), corner, u, v);
+            plane = rectangle(name, corner, u, v);
         else
             extend(plane, corner, u, v);
     };

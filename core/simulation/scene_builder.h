@@ -66,7 +66,7 @@ public:
     int level(std::string name, double height, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
     /// A wall, cut into rectangles about its openings, which must not overlap.
-    int wall(std::string name, const WallPlan& plan, std::vector<Opening> openings = {});
+    int wall(const std::string& name, const WallPlan& plan, std::vector<Opening> openings = {});
 
     /// What fills an opening some way behind its wall: a leaf, two jambs, a lintel, and a sill where the opening begins
     /// above the wall's bottom.

@@ -15,7 +15,8 @@ struct SegmentId {
     int step = 0;
     int index = 0;
 
-    friend auto operator<=>(const SegmentId&, const SegmentId&) = default;
+    // clang-tidy 14 takes the zero that a defaulted comparison compares with for a pointer.
+    friend auto operator<=>(const SegmentId&, const SegmentId&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Count, mean and scatter of points: all that least squares needs to know of them. Sums of two sets add up.

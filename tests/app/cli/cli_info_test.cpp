@@ -16,6 +16,7 @@ class CliInfoTest : public QObject {
 
 private slots:
     void saysWhatAFileHolds();
+    void recordingWithoutAScannerIsSaidToNameNone();
     void jsonSaysTheSame();
     void oneBadFileDoesNotSilenceTheOthers();
     void damagedFileExitsWithFour();
@@ -36,6 +37,17 @@ void CliInfoTest::saysWhatAFileHolds()
          {"scanner UTM-30LX", "slices 3", "beams in a slice 4", "points 12", "returns 12", "nearest return [m] 1.5",
           "first pitch [deg] 60", "last pitch [deg] 62", "largest range [m] 30", "duration [s] 0.05", "damaged no"})
         QVERIFY2(out.contains(fact), run.out);
+}
+
+void CliInfoTest::recordingWithoutAScannerIsSaidToNameNone()
+{
+    const QTemporaryDir folder;
+    writeBytes(folder.filePath("a.csv"), recordingText(3, 4, 1500, ""));
+
+    const ProgramRun run = runProgram({"info", "a.csv"}, folder.path());
+
+    QCOMPARE(run.code, 0);
+    QVERIFY2(QString::fromUtf8(run.out).simplified().contains("scanner not given slices 3"), run.out);
 }
 
 void CliInfoTest::jsonSaysTheSame()

@@ -26,6 +26,7 @@ private slots:
     void sensorComesFromTheRecordingsScanner();
     void unknownScannerWarns();
     void presetMayBeAFileOrOneOfTheUsersOwn();
+    void userWithoutAHomeHasNoPresets();
     void wrongValuesNameWhatIsAllowed_data();
     void wrongValuesNameWhatIsAllowed();
 
@@ -86,6 +87,19 @@ void CliParameterOptionsTest::presetMayBeAFileOrOneOfTheUsersOwn()
 
     QCOMPARE(pitchInForce(folder.path(), {"--preset", "attic"}, environment), 0.7);
     QCOMPARE(pitchInForce(folder.path(), {"--preset", "config/planewright/presets/attic.json"}), 0.7);
+}
+
+void CliParameterOptionsTest::userWithoutAHomeHasNoPresets()
+{
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath("here/.config/planewright/presets"));
+    writeBytes(folder.filePath("here/.config/planewright/presets/attic.json"), presetText(R"("noise.pitch":0.7)"));
+
+    const ProgramRun run = runProgram({"params", "--preset", "attic"}, folder.path(),
+                                      {{"XDG_CONFIG_HOME", "here/.config"}, {"HOME", "here"}});
+
+    QCOMPARE(run.code, 2);
+    QVERIFY2(run.err.contains("'attic' is neither a known name"), run.err);
 }
 
 void CliParameterOptionsTest::wrongValuesNameWhatIsAllowed_data()

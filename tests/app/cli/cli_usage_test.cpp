@@ -63,10 +63,15 @@ void CliUsageTest::wrongUsageIsOneLineThatPointsToHelp_data()
     const QString compare = "'planewright-cli compare --help'";
     QTest::newRow("nothing") << QStringList{} << "give a command" << all;
     QTest::newRow("unknown command") << QStringList{"frobnicate"} << "frobnicate" << all;
+    QTest::newRow("option before the command") << QStringList{"--frob"} << "there is no option '--frob'" << all;
     QTest::newRow("unknown option") << QStringList{"extract", "a.csv", "--frob"} << "--frob" << extract;
     QTest::newRow("no input") << QStringList{"extract"} << "INPUT" << extract;
     QTest::newRow("two inputs") << QStringList{"extract", "a.csv", "b.csv"} << "b.csv" << extract;
     QTest::newRow("option without value") << QStringList{"extract", "a.csv", "--labels"} << "--labels" << extract;
+    for (const char* option : {"--planes", "--segments", "--points", "--labels", "--history", "--stats", "--sensor"})
+        QTest::newRow(qPrintable(QString("empty ") + option))
+            << QStringList{"extract", "a.csv", option, ""} << QString(option) + ": give a value" << extract;
+    QTest::newRow("empty input") << QStringList{"extract", ""} << "INPUT: give a value" << extract;
     QTest::newRow("no number") << QStringList{"extract", "a.csv", "--until", "x"} << "--until" << extract;
     QTest::newRow("negative step") << QStringList{"extract", "a.csv", "--until", "-1"} << "--until" << extract;
     QTest::newRow("no repeat") << QStringList{"extract", "a.csv", "--repeat", "0"} << "--repeat" << extract;
@@ -104,7 +109,9 @@ void CliUsageTest::standardOutputThatIsFullIsAnError()
     shell.waitForFinished(-1);
 
     QCOMPARE(shell.exitCode(), 5);
-    QCOMPARE(shell.readAllStandardError(), QByteArray("planewright-cli: standard output: No space left on device\n"));
+    QCOMPARE(shell.readAllStandardError(),
+             QByteArray("planewright-cli: standard output: No space left on device; send it "
+                        "to a file or program that takes it\n"));
 }
 
 QTEST_GUILESS_MAIN(CliUsageTest)

@@ -71,7 +71,7 @@ void CliValidateTest::jsonGivesAVerdictPerFile()
     QCOMPARE(run.code, 3);
     QCOMPARE(files[0].toObject()["verdict"].toString(), "valid");
     QCOMPARE(files[0].toObject()["problems"].toArray().size(), 0);
-    QCOMPARE(files[1].toObject()["verdict"].toString(), "malformed");
+    QCOMPARE(files[1].toObject()["verdict"].toString(), "unreadable");
     QCOMPARE(files[1].toObject()["problems"].toArray()[0].toString(),
              "missing.csv: there is no such file; check its name and folder");
 }

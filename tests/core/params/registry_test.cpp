@@ -27,6 +27,7 @@ private slots:
     void aRefusedValueLeavesTheParameterAsItWas();
     void aRefusalNamesTheKeyTheValueAndWhatIsAllowed_data();
     void aRefusalNamesTheKeyTheValueAndWhatIsAllowed();
+    void negativeZeroIsZero();
     void anUnknownKeyIsRefusedWithTheNearestKnownOne();
     void anUnknownKeyFarFromAllIsRefusedWithoutAGuess();
     void anAssignmentIsSplitAtItsFirstEqualsSign();
@@ -214,6 +215,15 @@ void RegistryTest::aRefusalNamesTheKeyTheValueAndWhatIsAllowed()
 
     QVERIFY(!done);
     QCOMPARE(QString::fromStdString(done.error().message), message);
+}
+
+void RegistryTest::negativeZeroIsZero()
+{
+    Parameters parameters;
+
+    QVERIFY(setParameter(parameters, "segments.min-length=-0.0").has_value());
+
+    QCOMPARE(printParameter(parameters, "segments.min-length"), std::string("0"));
 }
 
 void RegistryTest::anUnknownKeyIsRefusedWithTheNearestKnownOne()
