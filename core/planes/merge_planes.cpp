@@ -128,7 +128,7 @@ void merge(const Pair& pair, PlaneMap& map, const Parameters& parameters, StepRe
 PairDistance planePairDistance(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
                                const Parameters& parameters)
 {
-    PairDistance worst{0.0, 1.0};
+    PairDistance worst{-1.0, 1.0};  // below that of any end point, also of those at distance 0
     const auto look = [&](const GrowingPlane& from, const GrowingPlane& to) {
         for (const SegmentNumber number : from.members()) {
             const LineSegment& segment = table[number];

@@ -305,15 +305,15 @@ private:
 
     std::vector<Test> availability(const FoundPlane& found, const std::vector<std::size_t>& support) const
     {
-        int slices = 0;
         int points = 0;
-        int lastStep = -1;
+        std::vector<int> steps;
         for (const SegmentNumber number : found.members) {
             points += table_[number].points;
-            if (table_[number].id.step != lastStep)
-                ++slices;
-            lastStep = table_[number].id.step;
+            steps.push_back(table_[number].id.step);
         }
+        // Segments that were clustered again stand behind later ones.
+        std::sort(steps.begin(), steps.end());
+        const auto slices = std::unique(steps.begin(), steps.end()) - steps.begin();
         std::vector<Test> tests{
             {"segments", static_cast<double>(found.members.size()), Comparison::GreaterEqual,
              static_cast<double>(parameters_.minSegments)},
