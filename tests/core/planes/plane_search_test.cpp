@@ -360,13 +360,16 @@ void PlaneSearchTest::extentGrowsWithTheRange()
     // The middles of three rows are 4 m ahead at heights −0.1, 0 and 0.1 m: on average (4 + 2·sqrt(16.01))/3 m away.
     Sheet sheet = wall(3);
     sheet.corner.z() = -0.1;
+    // Met at this sine, half of the angle is enough.
     const double range = (4.0 + 2.0 * std::sqrt(16.01)) / 3.0;
+    const double incidence = (1.0 + 2.0 * 4.0 / std::sqrt(16.01)) / 3.0;
     PlaneParameters parameters = lenient().planes;
-    parameters.minExtentAngle = degrees(2.8);
+    parameters.minExtentAngle = degrees(5.6);
     QVERIFY(search(sheet.segments(), parameters).found.has_value());
-    QVERIFY(std::abs(searchTest(sheet.segments(), parameters, "extent").limit - range * std::tan(degrees(2.8))) < 1e-9);
+    const double limit = range * std::tan(degrees(5.6)) * (1.0 - 0.5 * incidence);
+    QVERIFY(std::abs(searchTest(sheet.segments(), parameters, "extent").limit - limit) < 1e-9);
 
-    parameters.minExtentAngle = degrees(2.9);
+    parameters.minExtentAngle = degrees(5.8);
     QVERIFY(failsBy("extent", sheet.segments(), parameters));
 }
 
