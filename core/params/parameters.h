@@ -167,9 +167,12 @@ struct PlaneParameters {
     int minSlices = 3;
     int minPoints = 60;
     double minExtent = 0.08;
-    double minExtentAngle = degrees(1.7);
-    double maxNormalSigma = degrees(5.0);
+    double minExtentAngle = degrees(1.5);
+    double maxNormalSigma = degrees(8.0);
     double minIncidence = degrees(3.0);
+    double runStep = 0.09;
+    double runLean = degrees(15.0);
+    double maxContested = 0.25;
     double mergeAngle = degrees(5.0);
     double mergeDistance = 0.025;
     double mergeSigmas = 5.0;
@@ -208,14 +211,23 @@ struct PlaneParameters {
                       "Fewest scan points of these segments."},
             Parameter{"planes.min-extent", &PlaneParameters::minExtent, Unit::Metre, Range{0.0, 100.0}, "",
                       "Shorter extent that a plane must have at least."},
-            Parameter{"planes.min-extent-angle", &PlaneParameters::minExtentAngle, Unit::Angle,
-                      Range{0.0, degrees(45.0)}, "",
-                      "The shorter extent must span this angle at the plane's mean range at least."},
+            Parameter{
+                "planes.min-extent-angle", &PlaneParameters::minExtentAngle, Unit::Angle, Range{0.0, degrees(45.0)}, "",
+                "The shorter extent must span this angle at the plane's mean range at least, half of it where rays "
+                "meet the plane head-on."},
             Parameter{"planes.max-normal-sigma", &PlaneParameters::maxNormalSigma, Unit::Angle,
                       Range{degrees(0.01), degrees(45.0)}, "",
                       "A new plane's normal must be known to this standard deviation."},
             Parameter{"planes.min-incidence", &PlaneParameters::minIncidence, Unit::Angle, Range{0.0, degrees(45.0)},
                       "", "Rays must meet a new plane at this angle on average; a slice's own plane is none."},
+            Parameter{"planes.run-step", &PlaneParameters::runStep, Unit::Metre, Range{0.0, 1.0}, "",
+                      "Segments of neighbouring slices that are no farther apart than this make a run, a piece of one "
+                      "surface."},
+            Parameter{"planes.run-lean", &PlaneParameters::runLean, Unit::Angle, Range{0.0, degrees(90.0)}, "",
+                      "A run contests a plane only if it leans out of it by more than this."},
+            Parameter{"planes.max-contested", &PlaneParameters::maxContested, Unit::None, Range{0.0, 1.0}, "",
+                      "A plane is not made, and is split, when a larger share of its segments is on runs that lean out "
+                      "of it."},
             Parameter{"planes.merge-angle", &PlaneParameters::mergeAngle, Unit::Angle, Range{0.0, degrees(45.0)},
                       "nu_o", "Largest angle between two planes to be merged, Eq. (21)."},
             Parameter{"planes.merge-distance", &PlaneParameters::mergeDistance, Unit::Metre, Range{0.0, 1.0},

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/planes/assign_to_planes.h"
+#include "core/planes/segment_run.h"
 #include "core/planes/split_and_merge.h"
 
 namespace planewright {
@@ -51,10 +52,15 @@ std::optional<std::size_t> coverOf(std::size_t place, const PlaneMap& map, const
         const double gap = inPlaneGap(plane, other, map.segments, parameters.planes.mergeGap);
         if (gap > parameters.planes.mergeGap)
             continue;
+        const double contested =
+            contestedShare(plane.members(), other.normal(), other.distance(), map.segments, parameters.planes);
+        if (contested > parameters.planes.maxContested)
+            continue;
         best = share;
         cover = i;
         tests = {{"shared_segments", share, Comparison::GreaterEqual, parameters.planes.mergeShare},
-                 {"in_plane_gap", gap, Comparison::LessEqual, parameters.planes.mergeGap}};
+                 {"in_plane_gap", gap, Comparison::LessEqual, parameters.planes.mergeGap},
+                 {"contested", contested, Comparison::LessEqual, parameters.planes.maxContested}};
     }
     return cover;
 }

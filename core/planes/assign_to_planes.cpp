@@ -7,7 +7,27 @@
 #include <cmath>
 #include <limits>
 
+#include "core/planes/segment_run.h"
+
 namespace planewright {
+
+namespace {
+
+/// Whether a segment is of a surface that crosses a plane of few segments; one of many is settled.
+bool leansOut(SegmentNumber segment, const GrowingPlane& plane, const SegmentTable& table,
+              const PlaneParameters& parameters)
+{
+    return plane.members().size() < kSettled &&
+           isContested(segment, plane.normal(), plane.distance(), table, parameters);
+}
+
+/// Why a segment that is near enough to a plane was not assigned to it.
+std::vector<Test> contestedTest()
+{
+    return {{"contested", 1.0, Comparison::LessEqual, 0.0}};
+}
+
+}  // namespace
 
 AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPlane& plane,
                                     const AssignmentParameters& parameters)
@@ -36,7 +56,8 @@ bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& pa
     AssignmentTest nearestTest;
     for (GrowingPlane& plane : map.planes) {
         const AssignmentTest test = compareForAssignment(segment, plane, parameters.assignment);
-        if (test.pass() && (best == nullptr || test.distance < bestTest.distance)) {
+        if (test.pass() && (best == nullptr || test.distance < bestTest.distance) &&
+            !leansOut(number, plane, map.segments, parameters.planes)) {
             best = &plane;
             bestTest = test;
         }
@@ -55,7 +76,8 @@ bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& pa
             recorder.decide(DecisionKind::Assign, {segment.id, PlaneRef{best->id()}}, describe(bestTest),
                             {PlaneRef{best->id()}});
         else if (nearest != nullptr)
-            recorder.decide(DecisionKind::Reject, {segment.id, PlaneRef{nearest->id()}}, describe(nearestTest));
+            recorder.decide(DecisionKind::Reject, {segment.id, PlaneRef{nearest->id()}},
+                            nearestTest.pass() ? contestedTest() : describe(nearestTest));
         else
             recorder.decide(DecisionKind::Reject, {segment.id}, {});
     }

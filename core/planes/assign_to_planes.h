@@ -25,7 +25,8 @@ AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPla
                                     const AssignmentParameters& parameters);
 
 /// Assigns a segment to the best matched plane, if one matches, and refits that plane after every so many additions.
-/// Gives true where it was assigned.
+/// Gives true where it was assigned. A plane that is not settled and that the segment contests is passed over
+/// (segment_run.h).
 bool assignToBestPlane(SegmentNumber segment, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
 
 /// Assigns the segments from `first` on to existing planes (section 4.1.4, Table III); gives those left over.

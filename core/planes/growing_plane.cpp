@@ -110,6 +110,14 @@ void GrowingPlane::absorb(const GrowingPlane& other, const SegmentTable& table, 
     refine(table, parameters, step);
 }
 
+bool GrowingPlane::hasGrownSinceAsked()
+{
+    if (4 * members_.size() < 5 * askedAt_)
+        return false;
+    askedAt_ = members_.size();
+    return true;
+}
+
 void GrowingPlane::refit(const SegmentTable& table, const PlaneParameters& parameters, int step)
 {
     if (2 * members_.size() >= 3 * refinedAt_) {

@@ -40,6 +40,9 @@ public:
     /// Refines the plane over all its end points (Table VI) and makes the sums anew.
     void refine(const SegmentTable& table, const PlaneParameters& parameters, int step);
 
+    /// Whether it has grown by a quarter since the last time that it had: enough to look at its segments again.
+    bool hasGrownSinceAsked();
+
     /// Tells a plane made of one that was split or merged.
     void setLineage(Lineage lineage) { lineage_ = std::move(lineage); }
 
@@ -81,6 +84,7 @@ private:
     std::array<Eigen::Vector3d, 6> extremes_;
     int addedSinceRefit_ = 0;
     std::size_t refinedAt_ = 0;
+    std::size_t askedAt_ = 0;
     int bornStep_;
     int changedStep_;
     std::uint64_t revision_ = 0;

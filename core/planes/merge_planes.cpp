@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/planes/neighbourhood.h"
+#include "core/planes/segment_run.h"
 #include "core/planes/split_and_merge.h"
 
 namespace planewright {
@@ -70,6 +71,11 @@ struct Pair {
     std::vector<Test> tests;
 };
 
+bool passes(const Pair& pair)
+{
+    return std::all_of(pair.tests.begin(), pair.tests.end(), [](const Test& test) { return test.pass(); });
+}
+
 /// Compares two planes for merging; none where they are out of the question.
 std::optional<Pair> compare(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
                             const Parameters& parameters)
@@ -96,12 +102,14 @@ std::optional<Pair> compare(const GrowingPlane& a, const GrowingPlane& b, const 
                   {"plane_distance", distance.value, Comparison::Less, distance.limit},
                   {"in_plane_gap", inPlaneGap(a, b, table, planes.mergeGap), Comparison::LessEqual, planes.mergeGap},
                   {"fitting_error", error, Comparison::LessEqual, planes.errorLimit}};
+    if (passes(pair)) {
+        const auto contestedBy = [&](const GrowingPlane& plane) {
+            return contestedShare(plane.members(), together.normal, together.distance, table, planes);
+        };
+        pair.tests.push_back(
+            {"contested", std::max(contestedBy(a), contestedBy(b)), Comparison::LessEqual, planes.maxContested});
+    }
     return pair;
-}
-
-bool passes(const Pair& pair)
-{
-    return std::all_of(pair.tests.begin(), pair.tests.end(), [](const Test& test) { return test.pass(); });
 }
 
 /// The second plane's segments go to the larger one, which keeps its id.
@@ -128,7 +136,7 @@ void merge(const Pair& pair, PlaneMap& map, const Parameters& parameters, StepRe
 PairDistance planePairDistance(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
                                const Parameters& parameters)
 {
-    PairDistance worst{0.0, 1.0};
+    PairDistance worst{-1.0, 1.0};  // below that of any end point, also of those at distance 0
     const auto look = [&](const GrowingPlane& from, const GrowingPlane& to) {
         for (const SegmentNumber number : from.members()) {
             const LineSegment& segment = table[number];

@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-
-#include <Eigen/Eigenvalues>
+#include <string_view>
+#include <utility>
 
 #include "core/planes/growing_plane.h"
 #include "core/planes/neighbourhood.h"
+#include "core/planes/plane_shape.h"
+#include "core/planes/segment_run.h"
 
 namespace planewright {
 
@@ -19,6 +21,22 @@ namespace {
 
 /// Rounds of collecting support and refining; the support of a short triple grows as its plane settles.
 constexpr int kSupportRounds = 5;
+
+constexpr std::string_view kContradictions = "contradictions";
+constexpr std::string_view kContested = "contested";
+
+bool allPass(const std::vector<Test>& tests)
+{
+    return std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); });
+}
+
+/// True where a plane has all that it takes, but what is around it speaks against it.
+bool onlyContested(const std::vector<Test>& tests)
+{
+    return std::all_of(tests.begin(), tests.end(), [](const Test& test) {
+        return test.pass() || test.name == kContested || test.name == kContradictions;
+    });
+}
 
 struct Hypothesis {
     double cost = 0.0;
@@ -41,6 +59,7 @@ public:
         }
     }
 
+    /// The hypotheses of the seeds, the cheapest first.
     std::vector<Hypothesis> hypotheses() const
     {
         std::vector<Hypothesis> all;
@@ -50,9 +69,18 @@ public:
             if (auto hypothesis = hypothesisOf(seed))
                 all.push_back(*hypothesis);
         }
-        std::stable_sort(all.begin(), all.end(),
-                         [](const Hypothesis& a, const Hypothesis& b) { return a.cost < b.cost; });
-        return all;
+        return byCost(std::move(all));
+    }
+
+    /// The hypotheses of the runs around some candidates, the cheapest first.
+    std::vector<Hypothesis> runHypotheses(const std::vector<std::size_t>& around) const
+    {
+        std::vector<Hypothesis> all;
+        for (const std::size_t seed : around) {
+            if (const auto run = runAround(candidates_[seed].segment, table_, parameters_))
+                all.push_back({costOf(run->normal, run->distance), seed, run->normal, run->distance});
+        }
+        return byCost(std::move(all));
     }
 
     /// Refines a hypothesis on its support until the support stays the same.
@@ -77,6 +105,13 @@ public:
     }
 
 private:
+    static std::vector<Hypothesis> byCost(std::vector<Hypothesis> all)
+    {
+        std::stable_sort(all.begin(), all.end(),
+                         [](const Hypothesis& a, const Hypothesis& b) { return a.cost < b.cost; });
+        return all;
+    }
+
     /// The two nearest candidates, by midpoint, that are of slices other than the seed's and each other's, and far
     /// enough from the seed's line for its noise: neighbours a few millimetres apart would give a plane of any
     /// direction.
@@ -227,52 +262,6 @@ private:
         return faceEachOther(a, b) || segmentDistance(a, b) <= parameters_.mergeGap;
     }
 
-    /// The shorter extent of the end points in their plane, along their principal axes [m].
-    double shorterExtent(const std::vector<SegmentNumber>& members, const PlaneFit& fit) const
-    {
-        Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-        Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-        std::vector<Eigen::Vector2d> flat;
-        for (const SegmentNumber number : members) {
-            for (const Eigen::Vector3d& point : {table_[number].start, table_[number].end}) {
-                flat.push_back(fit.tangents.transpose() * point);
-                mean += flat.back();
-            }
-        }
-        mean /= static_cast<double>(flat.size());
-        for (const Eigen::Vector2d& point : flat)
-            second += (point - mean) * (point - mean).transpose();
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
-        eigen.computeDirect(second);
-        const Eigen::Vector2d axis = eigen.eigenvectors().col(0);
-        double lowest = std::numeric_limits<double>::infinity();
-        double highest = -lowest;
-        for (const Eigen::Vector2d& point : flat) {
-            lowest = std::min(lowest, axis.dot(point));
-            highest = std::max(highest, axis.dot(point));
-        }
-        return highest - lowest;
-    }
-
-    /// How a plane is seen: mean range [m] and mean sine of the angle at which rays meet it.
-    struct View {
-        double range = 0.0;
-        double incidence = 0.0;
-    };
-    View viewOf(const std::vector<SegmentNumber>& members, const PlaneFit& fit) const
-    {
-        View view;
-        for (const SegmentNumber number : members) {
-            const LineSegment& segment = table_[number];
-            const Eigen::Vector3d ray = segment.midpoint() - segment.viewpoint;
-            view.range += ray.norm();
-            view.incidence += std::abs(fit.normal.dot(ray)) / ray.norm();
-        }
-        view.range /= static_cast<double>(members.size());
-        view.incidence /= static_cast<double>(members.size());
-        return view;
-    }
-
     /// Candidates that face the support but stand a little off the plane, as the steps of a stair do off the slope over
     /// their edges.
     int contradictions(const std::vector<std::size_t>& support, const PlaneFit& fit) const
@@ -305,15 +294,15 @@ private:
 
     std::vector<Test> availability(const FoundPlane& found, const std::vector<std::size_t>& support) const
     {
-        int slices = 0;
         int points = 0;
-        int lastStep = -1;
+        std::vector<int> steps;
         for (const SegmentNumber number : found.members) {
             points += table_[number].points;
-            if (table_[number].id.step != lastStep)
-                ++slices;
-            lastStep = table_[number].id.step;
+            steps.push_back(table_[number].id.step);
         }
+        // Segments that were clustered again stand behind later ones.
+        std::sort(steps.begin(), steps.end());
+        const auto slices = std::unique(steps.begin(), steps.end()) - steps.begin();
         std::vector<Test> tests{
             {"segments", static_cast<double>(found.members.size()), Comparison::GreaterEqual,
              static_cast<double>(parameters_.minSegments)},
@@ -324,15 +313,20 @@ private:
         };
         if (found.members.empty())
             return tests;
-        const View view = viewOf(found.members, found.fit);
-        tests.push_back({"extent", shorterExtent(found.members, found.fit), Comparison::GreaterEqual,
-                         std::max(parameters_.minExtent, view.range * std::tan(parameters_.minExtentAngle))});
+        const PlaneView view = viewOf(found.members, found.fit, table_);
+        tests.push_back({"extent", shorterExtent(found.members, found.fit, table_), Comparison::GreaterEqual,
+                         std::max(parameters_.minExtent,
+                                  view.range * std::tan(parameters_.minExtentAngle) * (1.0 - 0.5 * view.incidence))});
         tests.push_back({"normal_sigma", std::sqrt(largestNormalVariance(covarianceOf(found.fit))),
                          Comparison::LessEqual, parameters_.maxNormalSigma});
         tests.push_back({"incidence", view.incidence, Comparison::GreaterEqual, std::sin(parameters_.minIncidence)});
-        tests.push_back({"contradictions", static_cast<double>(contradictions(support, found.fit)),
+        tests.push_back({kContradictions, static_cast<double>(contradictions(support, found.fit)),
                          Comparison::LessEqual, static_cast<double>(found.members.size())});
         tests.push_back({"fitting_error", found.fit.error, Comparison::LessEqual, parameters_.errorLimit});
+        if (allPass(tests))
+            tests.push_back({kContested,
+                             contestedShare(found.members, found.fit.normal, found.fit.distance, table_, parameters_),
+                             Comparison::LessEqual, parameters_.maxContested});
         return tests;
     }
 
@@ -343,25 +337,56 @@ private:
     std::vector<Eigen::Vector3d> midpoints_;
 };
 
+/// What was tried in vain.
+struct Tried {
+    std::vector<char> covered;
+    std::vector<FailedHypothesis>* failures = nullptr;
+};
+
+/// Grows one hypothesis; none where its plane is not available.
+std::optional<FoundPlane> availablePlane(const Search& search, const Hypothesis& hypothesis, SegmentNumber seed,
+                                         std::vector<std::size_t>& support, bool& contested, Tried& tried)
+{
+    FoundPlane found = search.grow(hypothesis, support);
+    if (allPass(found.tests))
+        return found;
+    contested = onlyContested(found.tests);
+    tried.covered[hypothesis.seed] = 1;
+    // What supports a contested plane may yet support those that contest it.
+    if (!contested) {
+        for (const std::size_t i : support)
+            tried.covered[i] = 1;
+    }
+    if (tried.failures != nullptr)
+        tried.failures->push_back({seed, std::move(found.tests)});
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<FoundPlane> findPlane(const std::vector<Candidate>& candidates, const SegmentTable& table,
                                     const PlaneParameters& parameters, std::vector<FailedHypothesis>* failures)
 {
     const Search search(candidates, table, parameters);
-    std::vector<char> covered(candidates.size(), 0);
+    Tried tried{std::vector<char>(candidates.size(), 0), failures};
+    Tried triedRuns = tried;
     for (const Hypothesis& hypothesis : search.hypotheses()) {
-        if (covered[hypothesis.seed] != 0)
+        if (tried.covered[hypothesis.seed] != 0)
             continue;
         std::vector<std::size_t> support;
-        FoundPlane found = search.grow(hypothesis, support);
-        if (std::all_of(found.tests.begin(), found.tests.end(), [](const Test& test) { return test.pass(); }))
+        bool contested = false;
+        if (auto found =
+                availablePlane(search, hypothesis, candidates[hypothesis.seed].segment, support, contested, tried))
             return found;
-        covered[hypothesis.seed] = 1;
-        for (const std::size_t i : support)
-            covered[i] = 1;
-        if (failures != nullptr)
-            failures->push_back({candidates[hypothesis.seed].segment, std::move(found.tests)});
+        if (!contested)
+            continue;
+        for (const Hypothesis& run : search.runHypotheses(support)) {
+            if (triedRuns.covered[run.seed] != 0)
+                continue;
+            std::vector<std::size_t> ofRun;
+            if (auto found = availablePlane(search, run, candidates[run.seed].segment, ofRun, contested, triedRuns))
+                return found;
+        }
     }
     return std::nullopt;
 }

@@ -37,6 +37,9 @@ struct FailedHypothesis {
 /// is Eq. (14) over all end points. The cheapest is refined; if it is not available (too few segments, slices or
 /// points, too narrow, or E above e_f) the next one is tried that none before has covered. No number is random: all
 /// triples of neighbours are few enough.
+///
+/// An addition: a plane that its own segments contest (segment_run.h) is not available either, and before the next
+/// hypothesis the planes of the runs among its support are tried.
 std::optional<FoundPlane> findPlane(const std::vector<Candidate>& candidates, const SegmentTable& table,
                                     const PlaneParameters& parameters, std::vector<FailedHypothesis>* failures);
 

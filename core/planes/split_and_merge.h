@@ -7,7 +7,8 @@
 
 namespace planewright {
 
-/// Splits the planes whose fitting error has grown beyond e_f (section 4.4, Table VII lines 1 to 8).
+/// Splits the planes whose fitting error has grown beyond e_f (section 4.4, Table VII lines 1 to 8), and small ones of
+/// which a larger share is contested by runs than `planes.max-contested` (an addition, see segment_run.h).
 ///
 /// The segments of such a plane are searched for planes anew; the largest found keeps the plane's id, the others get
 /// ids of their own, and segments in none of them are clustered again.
@@ -32,12 +33,13 @@ PairDistance planePairDistance(const GrowingPlane& a, const GrowingPlane& b, con
 double inPlaneGap(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table, double enough);
 
 /// Merges planes that are one (section 4.4, Table VII lines 9 to 13): the pair with the smallest distance first, as
-/// long as a pair passes Eq. (21), Eq. (22) with its limit, the gap, and the fitting error of both together.
+/// long as a pair passes Eq. (21), Eq. (22) with its limit, the gap, and the fitting error of both together, and
+/// neither is contested where both would lie.
 void mergePlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
 
 /// Dissolves planes into larger ones that cover them: where at least `planes.merge-share` of a plane's segments pass
 /// the assignment test, Eq. (8), with a larger plane within the gap, they go to that plane, and the others to the
-/// clusters.
+/// clusters, unless their runs contest the larger plane.
 ///
 /// A plane that began with few, short or far segments may stand at an angle that Eq. (21) never lets pass, while its
 /// segments lie on a wall that is known well by now.

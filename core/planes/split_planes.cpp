@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <utility>
 
 #include "core/planes/plane_search.h"
+#include "core/planes/segment_run.h"
 #include "core/planes/split_and_merge.h"
 
 namespace planewright {
@@ -38,11 +40,10 @@ std::vector<FoundPlane> partsOf(std::vector<SegmentNumber>& members, const Segme
 }
 
 /// Replaces the plane at a place in the map by its parts.
-void split(std::size_t place, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
+void split(std::size_t place, const Test& why, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const PlaneId id = map.planes[place].id();
     const int bornStep = map.planes[place].bornStep();
-    const double error = map.planes[place].error();
     std::vector<SegmentNumber> left = map.planes[place].members();
     std::vector<FoundPlane> parts = partsOf(left, map.segments, parameters.planes);
     for (const SegmentNumber segment : map.planes[place].members())
@@ -73,26 +74,37 @@ void split(std::size_t place, PlaneMap& map, const Parameters& parameters, StepR
             map.plane(id).setLineage({Lineage::Kind::Split, {id}});
     }
     ++recorder.counts().splits;
-    recorder.decide(DecisionKind::Split, {PlaneRef{id}},
-                    {{"fitting_error", error, Comparison::Greater, parameters.planes.errorLimit}}, std::move(result));
+    recorder.decide(DecisionKind::Split, {PlaneRef{id}}, {why}, std::move(result));
     addToClusters(left, map, parameters.clusters, recorder);
+}
+
+/// The test by which a plane is to be split, passed or not: its error, or, until it is settled and whenever it has
+/// grown, the runs that have come up and lean out of it.
+Test splitTest(GrowingPlane& plane, const SegmentTable& table, const PlaneParameters& parameters)
+{
+    const Test error{"fitting_error", plane.error(), Comparison::Greater, parameters.errorLimit};
+    if (error.pass() || plane.members().size() >= kSettled || !plane.hasGrownSinceAsked())
+        return error;
+    return {"contested", contestedShare(plane.members(), plane.normal(), plane.distance(), table, parameters),
+            Comparison::Greater, parameters.maxContested};
 }
 
 }  // namespace
 
 void splitPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
-    // Parts have an error below the limit, and are appended: one pass sees every plane that was there.
+    // Parts pass the tests of new planes, and are appended: one pass sees every plane that was there.
     const std::size_t before = map.planes.size();
-    std::vector<PlaneId> tooCrooked;
+    std::vector<std::pair<PlaneId, Test>> grownWrong;
     for (std::size_t i = 0; i < before; ++i) {
-        if (map.planes[i].error() > parameters.planes.errorLimit)
-            tooCrooked.push_back(map.planes[i].id());
+        const Test test = splitTest(map.planes[i], map.segments, parameters.planes);
+        if (test.pass())
+            grownWrong.emplace_back(map.planes[i].id(), test);
     }
-    for (const PlaneId id : tooCrooked) {
+    for (const auto& [id, test] : grownWrong) {
         const auto place = std::find_if(map.planes.begin(), map.planes.end(),
-                                        [id](const GrowingPlane& plane) { return plane.id() == id; });
-        split(static_cast<std::size_t>(place - map.planes.begin()), map, parameters, recorder);
+                                        [id = id](const GrowingPlane& plane) { return plane.id() == id; });
+        split(static_cast<std::size_t>(place - map.planes.begin()), test, map, parameters, recorder);
     }
 }
 

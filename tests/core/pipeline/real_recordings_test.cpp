@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -51,6 +52,19 @@ const Plane* largestAlong(const Snapshot& snapshot, const Eigen::Vector3d& axis,
     return largest;
 }
 
+/// The box around those segments of a plane whose middle is on the stair of the lobby: 5 m wide, from 5 m ahead on.
+Eigen::AlignedBox3d partOnStair(const Plane& plane, const Snapshot& snapshot)
+{
+    const Eigen::AlignedBox3d stair(Eigen::Vector3d(-1.5, 4.9, -0.6), Eigen::Vector3d(4.1, 9.7, 1.6));
+    Eigen::AlignedBox3d box;
+    for (const SegmentId& id : plane.segments) {
+        const LineSegment& segment = snapshot.segments[id];
+        if (stair.contains(segment.midpoint()))
+            box.extend(segment.midpoint());
+    }
+    return box;
+}
+
 double angleBetween(const Plane& a, const Plane& b)
 {
     return std::atan2(a.normal.cross(b.normal).norm(), std::abs(a.normal.dot(b.normal)));
@@ -63,6 +77,7 @@ class RealRecordingsTest : public QObject {
 
 private slots:
     void theLobbyHasAFloorAndWallsAtRightAngles();
+    void theLobbysStairIsItsRisersAndNoSlope();
     void theDeskHasATopAndWallsBehindIt();
 };
 
@@ -82,6 +97,32 @@ void RealRecordingsTest::theLobbyHasAFloorAndWallsAtRightAngles()
     }
     // One on the right at 4.8 m, on the left the wall and what stands before it.
     QVERIFY(walls >= 3);
+}
+
+void RealRecordingsTest::theLobbysStairIsItsRisersAndNoSlope()
+{
+    // Steps of 0.34 m by 0.16 m; in the middle of the stair the first riser is 5.12 m ahead. The slope over them is 25°
+    // steep. Six risers are seen in five slices and more, and of all that is seen of one 0.1 m is high.
+    const auto lobby = planesOf("lobby.csv.gz");
+
+    std::array<int, 6> planesAtRiser{};
+    for (const auto& plane : lobby->planes) {
+        const Eigen::AlignedBox3d part = partOnStair(*plane, *lobby);
+        if (part.isEmpty())
+            continue;
+        const double tilt = toDegrees(std::acos(std::abs(plane->normal.z())));
+        QVERIFY2(tilt < 10.0 || tilt > 35.0 || part.sizes().y() < 2.0 * 0.34, qPrintable(QString::number(plane->id)));
+        const double steps = (part.center().y() - 5.12) / 0.335;
+        const int riser = static_cast<int>(std::lround(steps));
+        if (tilt > 35.0 && std::abs(plane->normal.x()) < 0.1 && part.sizes().y() < 0.17 && riser >= 0 && riser < 6 &&
+            std::abs(steps - riser) < 0.25)
+            ++planesAtRiser[static_cast<std::size_t>(riser)];
+    }
+    QVERIFY(std::count(planesAtRiser.begin(), planesAtRiser.end(), 1) >= 5);
+    const auto level = std::count_if(lobby->planes.begin(), lobby->planes.end(), [](const auto& plane) {
+        return plane->normal.z() < -std::cos(degrees(10.0)) && plane->points > 300;
+    });
+    QCOMPARE(level, 1);  // the floor
 }
 
 void RealRecordingsTest::theDeskHasATopAndWallsBehindIt()
