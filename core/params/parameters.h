@@ -336,9 +336,8 @@ struct Parameters {
     /// The parts in the order in which people see them.
     static constexpr auto parts()
     {
-        return std::tuple{&Parameters::noise,    &Parameters::segments, &Parameters::assignment,
-                          &Parameters::clusters, &Parameters::planes,   &Parameters::likelihood,
-                          &Parameters::schedule};
+        return std::tuple{&Parameters::noise,  &Parameters::segments,   &Parameters::assignment, &Parameters::clusters,
+                          &Parameters::planes, &Parameters::likelihood, &Parameters::schedule};
     }
 };
 

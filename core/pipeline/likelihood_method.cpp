@@ -40,10 +40,10 @@ void LikelihoodMethod::addToClusters(const Parameters& parameters, StepRecorder&
     for (const SegmentNumber number : unassigned_) {
         const auto joined = map_.clusters.add(number, directionOf(number, map_), parameters.clusters);
         if (recorder.explains())
-            recorder.decide(DecisionKind::Cluster, {idOf(number, map_)},
-                            {{"similarity", joined.similarity, Comparison::Greater,
-                              std::cos(parameters.clusters.directionLimit)}},
-                            {ClusterRef{joined.cluster}});
+            recorder.decide(
+                DecisionKind::Cluster, {idOf(number, map_)},
+                {{"similarity", joined.similarity, Comparison::Greater, std::cos(parameters.clusters.directionLimit)}},
+                {ClusterRef{joined.cluster}});
     }
 }
 

@@ -81,8 +81,7 @@ void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
             for (const SegmentNumber number : gone.members)
                 map.segment(number).owner = kept.id;
             std::vector<SegmentNumber> all(kept.members.size() + gone.members.size());
-            std::merge(kept.members.begin(), kept.members.end(), gone.members.begin(), gone.members.end(),
-                       all.begin());
+            std::merge(kept.members.begin(), kept.members.end(), gone.members.begin(), gone.members.end(), all.begin());
             kept.members = std::move(all);
             kept.points += gone.points;
             kept.lastSlice = std::max(kept.lastSlice, gone.lastSlice);

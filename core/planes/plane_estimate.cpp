@@ -93,8 +93,7 @@ PlaneInSlice PlaneEstimate::inSlice(const SliceFrame& frame) const
     seen.first = functionOf(tangents_.col(0), frame);
     seen.second = functionOf(tangents_.col(1), frame);
     seen.pitch = {0.0, start_.dot(frame.aheadTurned), start_.dot(frame.originTurned)};
-    seen.steepness = std::max(kLeastSteepness,
-                              seen.distance.u * seen.distance.u + seen.distance.v * seen.distance.v);
+    seen.steepness = std::max(kLeastSteepness, seen.distance.u * seen.distance.u + seen.distance.v * seen.distance.v);
     return seen;
 }
 

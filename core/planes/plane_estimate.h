@@ -15,11 +15,11 @@ namespace planewright {
 
 /// The plane of a slice in space: a point (u, v) of it is origin + u x + v ahead, Eq. (6).
 struct SliceFrame {
-    double tilt = 0.0;                                         ///< φ [rad]
-    Eigen::Vector3d ahead = Eigen::Vector3d::UnitY();          ///< ∂p/∂v
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();          ///< where the laser is [m]
-    Eigen::Vector3d aheadTurned = Eigen::Vector3d::UnitZ();    ///< ∂ahead/∂φ
-    Eigen::Vector3d originTurned = Eigen::Vector3d::Zero();    ///< ∂origin/∂φ [m]
+    double tilt = 0.0;                                       ///< φ [rad]
+    Eigen::Vector3d ahead = Eigen::Vector3d::UnitY();        ///< ∂p/∂v
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();        ///< where the laser is [m]
+    Eigen::Vector3d aheadTurned = Eigen::Vector3d::UnitZ();  ///< ∂ahead/∂φ
+    Eigen::Vector3d originTurned = Eigen::Vector3d::Zero();  ///< ∂origin/∂φ [m]
 
     Eigen::Vector3d pointAt(double u, double v) const { return origin + Eigen::Vector3d{u, 0.0, 0.0} + v * ahead; }
 };

@@ -113,9 +113,9 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
                 hypothesis.normalVariance = hypothesis.estimate.normalVariance();
                 if (hypothesis.chi >= parameters.likelihood.seedGate || hypothesis.normalVariance >= angle * angle)
                     return;
-                hypothesis.support = std::min({map.segment(oldest).statistics.points,
-                                               map.segment(middle).statistics.points,
-                                               map.segment(newest).statistics.points});
+                hypothesis.support =
+                    std::min({map.segment(oldest).statistics.points, map.segment(middle).statistics.points,
+                              map.segment(newest).statistics.points});
                 hypotheses.push_back(hypothesis);
             });
         });
@@ -141,8 +141,8 @@ bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Pa
             map.visitOverlaps(other, map.firstBeam(number), map.lastBeam(number), kOverlapMargin,
                               [&](SegmentNumber facing) { faces = faces || map.segment(facing).owner == plane.id; });
         }
-        if (faces && map.joinChi(plane, number, parameters.noise, parameters.planes.flatness) <
-                         parameters.likelihood.joinGate)
+        if (faces &&
+            map.joinChi(plane, number, parameters.noise, parameters.planes.flatness) < parameters.likelihood.joinGate)
             fitting.push_back(number);
     }
     if (fitting.empty())
@@ -214,8 +214,8 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
             visitFree(place - 1, number, map, [&](SegmentNumber other) {
                 const int shared = std::min(to, map.lastBeam(other)) - std::max(from, map.firstBeam(other)) + 1;
                 const int shorter = std::min(to - from, map.lastBeam(other) - map.firstBeam(other)) + 1;
-                if (2 * shared < shorter || map.segment(other).statistics.points +
-                                                    map.segment(number).statistics.points < kPairPoints)
+                if (2 * shared < shorter ||
+                    map.segment(other).statistics.points + map.segment(number).statistics.points < kPairPoints)
                     return;
                 PlaneEstimate two;
                 const std::array pair{other, number};

@@ -37,16 +37,16 @@ struct PlaneTrack {
     PlaneEstimate estimate;
     std::vector<SegmentNumber> members;  ///< in order
     std::int64_t points = 0;
-    int slices = 0;                      ///< that its members are of
-    int lastSlice = -1;                  ///< place of the last of them
-    std::int64_t linearisedAt = 0;       ///< points when it was linearised last
-    int slicesUnsolved = 0;              ///< slices added since it was solved last
-    std::int64_t comparedAt = 0;         ///< points when it was compared for merging last
+    int slices = 0;                 ///< that its members are of
+    int lastSlice = -1;             ///< place of the last of them
+    std::int64_t linearisedAt = 0;  ///< points when it was linearised last
+    int slicesUnsolved = 0;         ///< slices added since it was solved last
+    std::int64_t comparedAt = 0;    ///< points when it was compared for merging last
     int bornStep = 0;
     int changedStep = 0;
     std::uint64_t revision = 0;
     Lineage lineage;
-    PlaneInSlice seen;    ///< the plane in the slice seenIn
+    PlaneInSlice seen;  ///< the plane in the slice seenIn
     int seenIn = -1;
     std::shared_ptr<const Plane> published;
 };

@@ -35,8 +35,7 @@ double rmsOf(const PlaneTrack& plane, const TrackMap& map)
         const double place = n.dot(frame.pointAt(s.u, s.v)) - plane.estimate.distance();
         const double slope = n.dot(directionOf(number, map));
         const double across = s.directionU * n.dot(frame.ahead) - s.directionV * n.x();
-        sum += s.points * (place * place + slope * slope * meanSquareAlong(s)) +
-               across * across * squaredThickness(s);
+        sum += s.points * (place * place + slope * slope * meanSquareAlong(s)) + across * across * squaredThickness(s);
     }
     return std::sqrt(sum / static_cast<double>(std::max<std::int64_t>(1, plane.points)));
 }
@@ -88,11 +87,9 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
         segment.rms = std::sqrt(squaredThickness(s) / s.points);
         segment.moments.count = s.points;
         segment.moments.mean = slice.frame.pointAt(s.u, s.v);
-        const Eigen::Vector3d across =
-            Eigen::Vector3d{-s.directionV, 0.0, 0.0} + s.directionU * slice.frame.ahead;
-        segment.moments.scatter =
-            s.points * meanSquareAlong(s) * segment.direction * segment.direction.transpose() +
-            squaredThickness(s) * across * across.transpose();
+        const Eigen::Vector3d across = Eigen::Vector3d{-s.directionV, 0.0, 0.0} + s.directionU * slice.frame.ahead;
+        segment.moments.scatter = s.points * meanSquareAlong(s) * segment.direction * segment.direction.transpose() +
+                                  squaredThickness(s) * across * across.transpose();
         segments.push_back(std::move(segment));
     }
     return segments;

@@ -171,33 +171,33 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
 }
 
 // A function of each body for one kind of processor.
-#define PLANEWRIGHT_KERNELS(KIND, TARGET)                                                                            \
-    TARGET int place##KIND(const double* ranges, const float* cosine, const float* sine, int beams, float rangeMin, \
-                           float rangeMax, float constantVariance, float proportionalVariance, float* range,        \
-                           float* u, float* v, float* relativeVariance)                                              \
-    {                                                                                                                \
-        return placeBody(ranges, cosine, sine, beams, rangeMin, rangeMax, constantVariance, proportionalVariance,    \
-                         range, u, v, relativeVariance);                                                             \
-    }                                                                                                                \
-    TARGET void markGaps##KIND(const BeamArrays& points, const float* range, int count, float gapPerRange,           \
-                               float sigmas, std::uint8_t* marks)                                                    \
-    {                                                                                                                \
-        markGapsBody(points, range, count, gapPerRange, sigmas, marks);                                              \
-    }                                                                                                                \
-    TARGET int farthest##KIND(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,        \
-                              const DeviationLimits& limits)                                                         \
-    {                                                                                                                \
-        return farthestBody(points, first, last, stride, chord, limits);                                             \
-    }                                                                                                                \
-    TARGET ChordSums sums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord)                  \
-    {                                                                                                                \
-        return plainSumsBody(points, first, last, chord);                                                            \
-    }                                                                                                                \
-    TARGET ChordSums weightedSums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord,          \
-                                        const WeightModel& model)                                                    \
-    {                                                                                                                \
-        return weightedSumsBody(points, first, last, chord, model);                                                  \
-    }                                                                                                                \
+#define PLANEWRIGHT_KERNELS(KIND, TARGET)                                                                              \
+    TARGET int place##KIND(const double* ranges, const float* cosine, const float* sine, int beams, float rangeMin,    \
+                           float rangeMax, float constantVariance, float proportionalVariance, float* range, float* u, \
+                           float* v, float* relativeVariance)                                                          \
+    {                                                                                                                  \
+        return placeBody(ranges, cosine, sine, beams, rangeMin, rangeMax, constantVariance, proportionalVariance,      \
+                         range, u, v, relativeVariance);                                                               \
+    }                                                                                                                  \
+    TARGET void markGaps##KIND(const BeamArrays& points, const float* range, int count, float gapPerRange,             \
+                               float sigmas, std::uint8_t* marks)                                                      \
+    {                                                                                                                  \
+        markGapsBody(points, range, count, gapPerRange, sigmas, marks);                                                \
+    }                                                                                                                  \
+    TARGET int farthest##KIND(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,          \
+                              const DeviationLimits& limits)                                                           \
+    {                                                                                                                  \
+        return farthestBody(points, first, last, stride, chord, limits);                                               \
+    }                                                                                                                  \
+    TARGET ChordSums sums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord)                    \
+    {                                                                                                                  \
+        return plainSumsBody(points, first, last, chord);                                                              \
+    }                                                                                                                  \
+    TARGET ChordSums weightedSums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord,            \
+                                        const WeightModel& model)                                                      \
+    {                                                                                                                  \
+        return weightedSumsBody(points, first, last, chord, model);                                                    \
+    }                                                                                                                  \
     constexpr BeamKernels k##KIND{#KIND, place##KIND, markGaps##KIND, farthest##KIND, sums##KIND, weightedSums##KIND};
 
 PLANEWRIGHT_KERNELS(Baseline, )

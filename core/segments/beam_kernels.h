@@ -26,9 +26,9 @@ struct ChordF {
 
 /// What makes a point's deviation from a chord count.
 struct DeviationLimits {
-    float fixedSquared = 0.0F;      ///< smallest squared deviation [m²]
-    float sigmasSquared = 0.0F;     ///< in variances of the point across the chord
-    float bearingVariance = 0.0F;   ///< σ_θ² [rad²]
+    float fixedSquared = 0.0F;     ///< smallest squared deviation [m²]
+    float sigmasSquared = 0.0F;    ///< in variances of the point across the chord
+    float bearingVariance = 0.0F;  ///< σ_θ² [rad²]
 };
 
 /// Sums over points in the frame of a chord: t along it, h across it [m].
@@ -44,7 +44,7 @@ struct WeightModel {
     float foot = 0.0F;              ///< t of the point nearest to the laser [m]
     float constantVariance = 0.0F;  ///< [m²]
     float proportionalVariance = 0.0F;
-    float bearingVariance = 0.0F;   ///< [rad²]
+    float bearingVariance = 0.0F;  ///< [rad²]
 };
 
 /// The inner loops over scan points, for one kind of processor.

@@ -127,8 +127,8 @@ void StatisticsExtractor::place(const ScanSlice& slice, const SensorModel& senso
     }
 }
 
-/// Looks again at the gaps found: beams between may be missing, and a wall seen at a shallow angle has wide gaps between
-/// points that all lie on it. 1/ρ of a straight line is A cos θ + B sin θ, nearly linear in the bearing.
+/// Looks again at the gaps found: beams between may be missing, and a wall seen at a shallow angle has wide gaps
+/// between points that all lie on it. 1/ρ of a straight line is A cos θ + B sin θ, nearly linear in the bearing.
 void StatisticsExtractor::liftGaps(const Parameters& parameters, double bearingStep)
 {
     const auto inverse = [this](int i) { return 1.0 / static_cast<double>(range_[static_cast<std::size_t>(i)]); };
@@ -144,8 +144,8 @@ void StatisticsExtractor::liftGaps(const Parameters& parameters, double bearingS
             return false;
         const double larger = std::max(std::abs(here), std::abs(there));
         const double q = inverse(i - 1);
-        const double sigma = parameters.noise.rangeConstant * q * q + parameters.noise.rangeProportional * q +
-                             bearingShare * larger;
+        const double sigma =
+            parameters.noise.rangeConstant * q * q + parameters.noise.rangeProportional * q + bearingShare * larger;
         const double difference = std::abs(here - there);
         return difference < 9.6 * sigma * (beamOf(i) - beamOf(i - 1)) && difference < 0.5 * larger;
     };
@@ -221,8 +221,7 @@ void StatisticsExtractor::splitRun(int first, int last, const Parameters& parame
             return -1;
         const ChordF chord = chordOf(open.first, open.last);
         if (open.last - open.first >= kLongPiece) {
-            const int hit =
-                kernels_.farthest(points, open.first + kStride, open.last - kStride, kStride, chord, clear);
+            const int hit = kernels_.farthest(points, open.first + kStride, open.last - kStride, kStride, chord, clear);
             if (hit >= 0)
                 return kernels_.farthest(points, std::max(open.first + 1, hit - kStride),
                                          std::min(open.last - 1, hit + kStride), 1, chord, limits);
@@ -253,8 +252,8 @@ void StatisticsExtractor::splitRun(int first, int last, const Parameters& parame
         settleBorder(pieces_[i - 1], pieces_[i], parameters.noise);
 }
 
-/// Moves the border between two neighbouring pieces to where their lines say it is; points of no piece between them take
-/// part.
+/// Moves the border between two neighbouring pieces to where their lines say it is; points of no piece between them
+/// take part.
 void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoiseParameters& noise) const
 {
     if (right.first - left.last - 1 > kMovablePoints)
@@ -350,8 +349,8 @@ bool StatisticsExtractor::belongTogether(const Piece& left, const Piece& right, 
     if (right.first - left.last - 1 > kTrimmedPoints)
         return false;
     const double gap = std::hypot(pointU(right.first) - pointU(left.last), pointV(right.first) - pointV(left.last));
-    const double range = static_cast<double>(std::max(range_[static_cast<std::size_t>(left.last)],
-                                                      range_[static_cast<std::size_t>(right.first)]));
+    const double range = static_cast<double>(
+        std::max(range_[static_cast<std::size_t>(left.last)], range_[static_cast<std::size_t>(right.first)]));
     if (gap >= std::max(parameters.segments.mergeGap, parameters.segments.mergeGapSteps * range * bearingStep))
         return false;
     together = left.moments;
@@ -387,8 +386,8 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const Piece& piece, const No
     const double startAlong =
         line.directionU * (pointU(piece.first) - moments.u) + line.directionV * (pointV(piece.first) - moments.v);
     const double endAlong = startAlong + line.directionU * spanU + line.directionV * spanV;
-    const double nearest = foot > startAlong && foot < endAlong ? std::abs(offset)
-                                                                : std::min(rangeAt(piece.first), rangeAt(piece.last));
+    const double nearest =
+        foot > startAlong && foot < endAlong ? std::abs(offset) : std::min(rangeAt(piece.first), rangeAt(piece.last));
     const double farthest = std::max(rangeAt(piece.first), rangeAt(piece.last));
     if (farthest < kOneWeightRatio * nearest || piece.clipped) {
         const double weight = 1.0 / centroidVariance(line, moments, noise);

@@ -11,8 +11,8 @@ namespace planewright {
 /// Count, mean and scatter of points in the slice's plane: sums that add and subtract.
 struct LineMoments {
     double count = 0.0;
-    double u = 0.0, v = 0.0;                 ///< mean [m]
-    double uu = 0.0, uv = 0.0, vv = 0.0;     ///< Σ (p − mean)(p − mean)ᵀ [m²]
+    double u = 0.0, v = 0.0;              ///< mean [m]
+    double uu = 0.0, uv = 0.0, vv = 0.0;  ///< Σ (p − mean)(p − mean)ᵀ [m²]
 
     /// Takes in the points of another set.
     void add(const LineMoments& other)
@@ -75,9 +75,7 @@ inline MomentLine lineOf(const LineMoments& moments)
     line.along = middle + root;
     // The smaller eigenvalue as determinant over the larger one: middle − root would cancel.
     line.across =
-        line.along > 0.0
-            ? std::max(0.0, (moments.uu * moments.vv - moments.uv * moments.uv) / line.along)
-            : 0.0;
+        line.along > 0.0 ? std::max(0.0, (moments.uu * moments.vv - moments.uv * moments.uv) / line.along) : 0.0;
     return line;
 }
 

@@ -114,17 +114,28 @@ int main(int argc, char** argv)
     for (int i = 1; i < argc; ++i) {
         const std::string_view a = argv[i];
         const auto next = [&] { return std::string(argv[++i]); };
-        if (a == "--preset") preset = next();
-        else if (a == "--settings") settingsName = next();
-        else if (a == "--noise") noiseName = next();
-        else if (a == "--scenes") scenes = next();
-        else if (a == "--min-returns") minReturns = std::atoll(argv[++i]);
-        else if (a == "--from") from = std::strtoull(argv[++i], nullptr, 10);
-        else if (a == "--to") to = std::strtoull(argv[++i], nullptr, 10);
-        else if (a == "--sigma") sigma = std::atof(argv[++i]);
-        else if (a == "--pitch") pitch = std::atof(argv[++i]);
-        else if (a == "-v") verbose = true;
-        else if (a == "-P") assignments.push_back(next());
+        if (a == "--preset")
+            preset = next();
+        else if (a == "--settings")
+            settingsName = next();
+        else if (a == "--noise")
+            noiseName = next();
+        else if (a == "--scenes")
+            scenes = next();
+        else if (a == "--min-returns")
+            minReturns = std::atoll(argv[++i]);
+        else if (a == "--from")
+            from = std::strtoull(argv[++i], nullptr, 10);
+        else if (a == "--to")
+            to = std::strtoull(argv[++i], nullptr, 10);
+        else if (a == "--sigma")
+            sigma = std::atof(argv[++i]);
+        else if (a == "--pitch")
+            pitch = std::atof(argv[++i]);
+        else if (a == "-v")
+            verbose = true;
+        else if (a == "-P")
+            assignments.push_back(next());
     }
     Parameters parameters;
     apply(*findPreset(methodPresets(), preset), parameters);
@@ -135,10 +146,13 @@ int main(int argc, char** argv)
         }
     }
     SimulationNoise noise = *simulationNoise(noiseName);
-    if (sigma > 0) noise.rangeConstant = sigma;
-    if (pitch > 0) noise.pitch = degrees(pitch);
+    if (sigma > 0)
+        noise.rangeConstant = sigma;
+    if (pitch > 0)
+        noise.pitch = degrees(pitch);
 
-    std::printf("%-10s %7s %7s %7s %7s %7s %7s %8s\n", "scene", "rec50", "prec50", "F1@50", "F1@80", "xbound", "NEES", "ms");
+    std::printf("%-10s %7s %7s %7s %7s %7s %7s %8s\n", "scene", "rec50", "prec50", "F1@50", "F1@80", "xbound", "NEES",
+                "ms");
     Tally all;
     std::vector<double> sceneTimes;
     for (std::size_t begin = 0; begin < scenes.size();) {
@@ -179,17 +193,22 @@ int main(int argc, char** argv)
                             returns += std::find(g.begin(), g.end(), label) != g.end() ? 1 : 0;
                     std::printf("  %s %lu missed %s n=(%.2f %.2f %.2f) d=%.3f returns %ld\n", name.c_str(), seed,
                                 scene.planes[static_cast<std::size_t>(g.front())].name.c_str(),
-                                truth[static_cast<std::size_t>(g.front())].normal.x(), truth[static_cast<std::size_t>(g.front())].normal.y(),
-                                truth[static_cast<std::size_t>(g.front())].normal.z(), truth[static_cast<std::size_t>(g.front())].distance, returns);
+                                truth[static_cast<std::size_t>(g.front())].normal.x(),
+                                truth[static_cast<std::size_t>(g.front())].normal.y(),
+                                truth[static_cast<std::size_t>(g.front())].normal.z(),
+                                truth[static_cast<std::size_t>(g.front())].distance, returns);
                 }
                 for (const int id : at50.noise) {
-                    const auto plane = *std::find_if(found->planes.begin(), found->planes.end(), [&](const auto& p) { return p->id == id; });
-                    std::printf("  %s %lu false P%d n=(%.2f %.2f %.2f) d=%.3f points %d segments %zu error %.2f\n", name.c_str(), seed, id,
-                                plane->normal.x(), plane->normal.y(), plane->normal.z(), plane->distance, plane->points, plane->segments.size(), plane->fittingError);
+                    const auto plane = *std::find_if(found->planes.begin(), found->planes.end(),
+                                                     [&](const auto& p) { return p->id == id; });
+                    std::printf("  %s %lu false P%d n=(%.2f %.2f %.2f) d=%.3f points %d segments %zu error %.2f\n",
+                                name.c_str(), seed, id, plane->normal.x(), plane->normal.y(), plane->normal.z(),
+                                plane->distance, plane->points, plane->segments.size(), plane->fittingError);
                 }
             }
             for (const RegionMatch& match : at50.correct) {
-                const auto plane = *std::find_if(found->planes.begin(), found->planes.end(), [&](const auto& p) { return p->id == match.a; });
+                const auto plane = *std::find_if(found->planes.begin(), found->planes.end(),
+                                                 [&](const auto& p) { return p->id == match.a; });
                 if (match.b.size() > 1)
                     continue;  // coplanar ones may differ by what the noise cannot tell
                 const TruePlane& t = scene.planes[static_cast<std::size_t>(match.b.front())];
@@ -203,21 +222,28 @@ int main(int argc, char** argv)
                 own[2] = plane->distance - side * t.distance;
                 tally.honest.push_back(own.dot(plane->covariance.inverse() * own));
                 if (verbose && tally.squares.back() > 25)
-                    std::printf("  %s %lu P%d %s e'Fe %.1f e'C-1e %.1f points %d segs %zu\n", name.c_str(), seed, plane->id, t.name.c_str(), tally.squares.back(), tally.honest.back(), plane->points, plane->segments.size());
+                    std::printf("  %s %lu P%d %s e'Fe %.1f e'C-1e %.1f points %d segs %zu\n", name.c_str(), seed,
+                                plane->id, t.name.c_str(), tally.squares.back(), tally.honest.back(), plane->points,
+                                plane->segments.size());
             }
         }
-        std::printf("%-10s %7.3f %7.3f %7.3f %7.3f %7.2f %7.2f %8.3f\n", name.c_str(), tally.at50.recall(), tally.at50.precision(),
-                    tally.at50.f1(), tally.at80.f1(), std::sqrt(median(tally.squares) / 2.366), median(tally.honest), median(tally.times));
+        std::printf("%-10s %7.3f %7.3f %7.3f %7.3f %7.2f %7.2f %8.3f\n", name.c_str(), tally.at50.recall(),
+                    tally.at50.precision(), tally.at50.f1(), tally.at80.f1(), std::sqrt(median(tally.squares) / 2.366),
+                    median(tally.honest), median(tally.times));
         std::fflush(stdout);
         for (auto [sum, part] : {std::pair{&all.at50, &tally.at50}, std::pair{&all.at80, &tally.at80}}) {
-            sum->correct += part->correct; sum->groups += part->groups; sum->regions += part->regions;
+            sum->correct += part->correct;
+            sum->groups += part->groups;
+            sum->regions += part->regions;
         }
         all.squares.insert(all.squares.end(), tally.squares.begin(), tally.squares.end());
         all.honest.insert(all.honest.end(), tally.honest.begin(), tally.honest.end());
         all.times.insert(all.times.end(), tally.times.begin(), tally.times.end());
     }
     double mean = 0;
-    for (const double t : all.times) mean += t / static_cast<double>(all.times.size());
-    std::printf("%-10s %7.3f %7.3f %7.3f %7.3f %7.2f %7.2f %8.3f (mean)\n", "all", all.at50.recall(), all.at50.precision(), all.at50.f1(),
-                all.at80.f1(), std::sqrt(median(all.squares) / 2.366), median(all.honest), mean);
+    for (const double t : all.times)
+        mean += t / static_cast<double>(all.times.size());
+    std::printf("%-10s %7.3f %7.3f %7.3f %7.3f %7.2f %7.2f %8.3f (mean)\n", "all", all.at50.recall(),
+                all.at50.precision(), all.at50.f1(), all.at80.f1(), std::sqrt(median(all.squares) / 2.366),
+                median(all.honest), mean);
 }
