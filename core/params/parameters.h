@@ -249,9 +249,21 @@ struct ChoiceNames<Estimator> {
     static constexpr std::array<std::string_view, 2> names{"end-points", "likelihood"};
 };
 
+/// The method as a whole.
+struct MethodParameters {
+    Estimator estimator = Estimator::EndPoints;
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{"method.estimator", &MethodParameters::estimator, Unit::Choice, Range{0.0, 1.0}, "",
+                      "end-points is the published method; likelihood uses all points of a segment by their sums."},
+        };
+    }
+};
+
 /// Tests of the estimator by likelihood: chi-squares that carry the covariances of segment and plane.
 struct LikelihoodParameters {
-    Estimator estimator = Estimator::EndPoints;
     double joinGate = 25.0;
     double apartGate = 6.0;
     double knownAngle = 0.03;
@@ -268,8 +280,6 @@ struct LikelihoodParameters {
     static constexpr auto describe()
     {
         return std::tuple{
-            Parameter{"method.estimator", &LikelihoodParameters::estimator, Unit::Choice, Range{0.0, 1.0}, "",
-                      "end-points is the published method; likelihood uses all points of a segment by their sums."},
             Parameter{"likelihood.join-gate", &LikelihoodParameters::joinGate, Unit::None, Range{1.0, 1000.0}, "",
                       "A segment joins a plane that it faces below this chi-square of 2 degrees of freedom."},
             Parameter{"likelihood.apart-gate", &LikelihoodParameters::apartGate, Unit::None, Range{0.1, 1000.0}, "",
@@ -325,6 +335,7 @@ struct ScheduleParameters {
 
 /// All parameters of an extraction, as one value.
 struct Parameters {
+    MethodParameters method;
     NoiseParameters noise;
     SegmentParameters segments;
     AssignmentParameters assignment;
@@ -336,11 +347,12 @@ struct Parameters {
     /// The parts in the order in which people see them.
     static constexpr auto parts()
     {
-        return std::tuple{&Parameters::noise,  &Parameters::segments,   &Parameters::assignment, &Parameters::clusters,
-                          &Parameters::planes, &Parameters::likelihood, &Parameters::schedule};
+        return std::tuple{&Parameters::method,   &Parameters::noise,  &Parameters::segments,   &Parameters::assignment,
+                          &Parameters::clusters, &Parameters::planes, &Parameters::likelihood, &Parameters::schedule};
     }
 };
 
+static_assert(defaultsAreInRange<MethodParameters>());
 static_assert(defaultsAreInRange<NoiseParameters>());
 static_assert(defaultsAreInRange<SegmentParameters>());
 static_assert(defaultsAreInRange<AssignmentParameters>());

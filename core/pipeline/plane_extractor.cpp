@@ -12,7 +12,7 @@ namespace planewright {
 
 std::unique_ptr<ExtractionMethod> makeMethod(const Parameters& parameters)
 {
-    if (parameters.likelihood.estimator == Estimator::Likelihood)
+    if (parameters.method.estimator == Estimator::Likelihood)
         return std::make_unique<LikelihoodMethod>();
     return std::make_unique<EndPointMethod>();
 }

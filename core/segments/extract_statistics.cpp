@@ -6,16 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/segments/breakpoints.h"
-
 namespace planewright {
 
 namespace {
 
-/// Beams without echo that a run may bridge.
-constexpr int kBridgedBeams = 8;
-/// Beams over which 1/ρ may be followed across a gap.
-constexpr int kFollowedBeams = 4;
 /// How many points beside a division may change sides.
 constexpr int kMovablePoints = 6;
 /// Points that a line of its own needs.
@@ -72,141 +66,6 @@ double largestChi(double points)
 
 }  // namespace
 
-void StatisticsExtractor::updateBearings(const ScanSlice& slice)
-{
-    const std::size_t beams = slice.ranges.size();
-    if (tableBeams_ == beams && firstBearing_ == slice.firstBearing && bearingStep_ == slice.bearingStep)
-        return;
-    tableBeams_ = beams;
-    firstBearing_ = slice.firstBearing;
-    bearingStep_ = slice.bearingStep;
-    cosine_.resize(beams);
-    sine_.resize(beams);
-    range_.resize(beams);
-    u_.resize(beams);
-    v_.resize(beams);
-    relativeVariance_.resize(beams);
-    beam_.resize(beams);
-    marks_.resize(beams);
-    for (std::size_t i = 0; i < beams; ++i) {
-        cosine_[i] = static_cast<float>(std::cos(slice.bearing(i)));
-        sine_[i] = static_cast<float>(std::sin(slice.bearing(i)));
-    }
-}
-
-/// Closes up the beams without echo.
-void StatisticsExtractor::dropMissing(int beams)
-{
-    int kept = 0;
-    for (int i = 0; i < beams; ++i) {
-        const auto from = static_cast<std::size_t>(i);
-        const auto to = static_cast<std::size_t>(kept);
-        beam_[to] = i;
-        u_[to] = u_[from];
-        v_[to] = v_[from];
-        relativeVariance_[to] = relativeVariance_[from];
-        kept += range_[from] > 0.0F ? 1 : 0;
-        range_[to] = range_[from];
-    }
-}
-
-void StatisticsExtractor::place(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& noise)
-{
-    updateBearings(slice);
-    const int beams = static_cast<int>(slice.ranges.size());
-    count_ = kernels_.place(slice.ranges.data(), cosine_.data(), sine_.data(), beams,
-                            std::max(1e-6F, static_cast<float>(sensor.rangeMin)), static_cast<float>(sensor.rangeMax),
-                            static_cast<float>(square(noise.rangeConstant)),
-                            static_cast<float>(square(noise.rangeProportional)), range_.data(), u_.data(), v_.data(),
-                            relativeVariance_.data());
-    if (count_ < beams) {
-        dropMissing(beams);
-    } else {
-        for (int i = 0; i < beams; ++i)
-            beam_[static_cast<std::size_t>(i)] = i;
-    }
-}
-
-/// Looks again at the gaps found: beams between may be missing, and a wall seen at a shallow angle has wide gaps
-/// between points that all lie on it. 1/ρ of a straight line is A cos θ + B sin θ, nearly linear in the bearing.
-void StatisticsExtractor::liftGaps(const Parameters& parameters, double bearingStep)
-{
-    const auto inverse = [this](int i) { return 1.0 / static_cast<double>(range_[static_cast<std::size_t>(i)]); };
-    const auto slope = [&](int i) { return (inverse(i) - inverse(i - 1)) / (beamOf(i) - beamOf(i - 1)); };
-    const auto near = [this](int i) { return i >= 1 && i < count_ && beamOf(i) - beamOf(i - 1) <= kFollowedBeams; };
-    const double bearingShare = parameters.noise.bearing / bearingStep;
-    const auto goesOn = [&](int i, int j) {  // from the gap before i to the gap before j, which is a neighbour
-        if (!near(j))
-            return false;
-        const double here = slope(i);
-        const double there = slope(j);
-        if (here * there <= 0.0)
-            return false;
-        const double larger = std::max(std::abs(here), std::abs(there));
-        const double q = inverse(i - 1);
-        const double sigma =
-            parameters.noise.rangeConstant * q * q + parameters.noise.rangeProportional * q + bearingShare * larger;
-        const double difference = std::abs(here - there);
-        return difference < 9.6 * sigma * (beamOf(i) - beamOf(i - 1)) && difference < 0.5 * larger;
-    };
-    for (int i = 1; i < count_; ++i) {
-        std::uint8_t& mark = marks_[static_cast<std::size_t>(i)];
-        const int beams = beamOf(i) - beamOf(i - 1);
-        if (beams > kBridgedBeams)
-            mark = 1;
-        if (mark == 0 || beams > kBridgedBeams)
-            continue;
-        if (beams > 1) {
-            const double limit = breakpointDistance(static_cast<double>(range_[static_cast<std::size_t>(i - 1)]),
-                                                    bearingStep * beams, parameters.segments, parameters.noise);
-            if (std::hypot(pointU(i) - pointU(i - 1), pointV(i) - pointV(i - 1)) < limit) {
-                mark = 0;
-                continue;
-            }
-        }
-        if (near(i) && (goesOn(i, i - 1) || goesOn(i, i + 1)))
-            mark = 0;
-    }
-}
-
-ChordF StatisticsExtractor::chordOf(int first, int last) const
-{
-    const auto a = static_cast<std::size_t>(first);
-    const auto b = static_cast<std::size_t>(last);
-    ChordF chord{u_[a], v_[a], u_[b] - u_[a], v_[b] - v_[a]};
-    const float length = std::sqrt(chord.directionU * chord.directionU + chord.directionV * chord.directionV);
-    if (length > 0.0F) {
-        chord.directionU /= length;
-        chord.directionV /= length;
-    } else {
-        chord.directionU = 1.0F;
-        chord.directionV = 0.0F;
-    }
-    return chord;
-}
-
-LineMoments StatisticsExtractor::momentsOf(int first, int last) const
-{
-    const ChordF chord = chordOf(first, last);
-    const ChordSums sums = kernels_.sums(arrays(), first, last, chord);
-    const double n = static_cast<double>(sums.weight);
-    const double t = static_cast<double>(sums.t) / n;
-    const double h = static_cast<double>(sums.h) / n;
-    const double tt = static_cast<double>(sums.tt) - n * t * t;
-    const double th = static_cast<double>(sums.th) - n * t * h;
-    const double hh = static_cast<double>(sums.hh) - n * h * h;
-    const double c = static_cast<double>(chord.directionU);
-    const double s = static_cast<double>(chord.directionV);
-    LineMoments moments;
-    moments.count = n;
-    moments.u = static_cast<double>(chord.u) + c * t - s * h;
-    moments.v = static_cast<double>(chord.v) + s * t + c * h;
-    moments.uu = c * c * tt - 2.0 * c * s * th + s * s * hh;
-    moments.uv = c * s * (tt - hh) + (c * c - s * s) * th;
-    moments.vv = s * s * tt + 2.0 * c * s * th + c * c * hh;
-    return moments;
-}
-
 /// Splits a run at the points farthest from its chords, and settles the borders between the pieces.
 void StatisticsExtractor::splitRun(int first, int last, const Parameters& parameters)
 {
@@ -215,18 +74,19 @@ void StatisticsExtractor::splitRun(int first, int last, const Parameters& parame
     const auto bearing = static_cast<float>(square(parameters.noise.bearing));
     const DeviationLimits limits{fixed, sigmas, bearing};
     const DeviationLimits clear{kClearHit * fixed, kClearHit * sigmas, bearing};
-    const BeamArrays points = arrays();
+    const BeamArrays points = points_.arrays();
     const auto divisionOf = [&](const Open& open) {
         if (open.last - open.first < 2)
             return -1;
-        const ChordF chord = chordOf(open.first, open.last);
+        const ChordF chord = points_.chordOf(open.first, open.last);
         if (open.last - open.first >= kLongPiece) {
-            const int hit = kernels_.farthest(points, open.first + kStride, open.last - kStride, kStride, chord, clear);
+            const int hit =
+                points_.kernels().farthest(points, open.first + kStride, open.last - kStride, kStride, chord, clear);
             if (hit >= 0)
-                return kernels_.farthest(points, std::max(open.first + 1, hit - kStride),
-                                         std::min(open.last - 1, hit + kStride), 1, chord, limits);
+                return points_.kernels().farthest(points, std::max(open.first + 1, hit - kStride),
+                                                  std::min(open.last - 1, hit + kStride), 1, chord, limits);
         }
-        return kernels_.farthest(points, open.first + 1, open.last - 1, 1, chord, limits);
+        return points_.kernels().farthest(points, open.first + 1, open.last - 1, 1, chord, limits);
     };
 
     const std::size_t begin = pieces_.size();
@@ -240,7 +100,7 @@ void StatisticsExtractor::splitRun(int first, int last, const Parameters& parame
             // Neighbours share their point of division; it belongs to the left one until the border is settled.
             const int start = open.first == first ? first : open.first + 1;
             if (open.last - start + 1 >= kShortestPiece)
-                pieces_.push_back({start, open.last, momentsOf(start, open.last)});
+                pieces_.push_back({start, open.last, points_.momentsOf(start, open.last)});
             continue;
         }
         if (open.depth >= kDeepestDivision)
@@ -262,9 +122,9 @@ void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoisePar
     const int low = left.last - movable(left) + 1;
     const int high = right.first + movable(right) - 1;
     for (int i = low; i <= left.last; ++i)
-        left.moments.remove(pointU(i), pointV(i));
+        left.moments.remove(points_.u(i), points_.v(i));
     for (int i = right.first; i <= high; ++i)
-        right.moments.remove(pointU(i), pointV(i));
+        right.moments.remove(points_.u(i), points_.v(i));
     const MomentLine leftLine = lineOf(left.moments);
     const MomentLine rightLine = lineOf(right.moments);
     const double leftVariance = centroidVariance(leftLine, left.moments, noise);
@@ -272,10 +132,10 @@ void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoisePar
     // Of all borders in reach the one with the smallest sum of squares, where a stranger to both counts as a limit.
     constexpr double kStranger = kClipSigmas * kClipSigmas;
     const auto leftCost = [&](int i) {
-        return square(distanceTo(leftLine, left.moments, pointU(i), pointV(i))) / leftVariance;
+        return square(distanceTo(leftLine, left.moments, points_.u(i), points_.v(i))) / leftVariance;
     };
     const auto rightCost = [&](int i) {
-        return square(distanceTo(rightLine, right.moments, pointU(i), pointV(i))) / rightVariance;
+        return square(distanceTo(rightLine, right.moments, points_.u(i), points_.v(i))) / rightVariance;
     };
     double sum = 0.0;
     double best = 0.0;
@@ -294,9 +154,9 @@ void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoisePar
     while (right.first <= high && rightCost(right.first) > kStranger)
         ++right.first;
     for (int i = low; i <= left.last; ++i)
-        left.moments.add(pointU(i), pointV(i));
+        left.moments.add(points_.u(i), points_.v(i));
     for (int i = right.first; i <= high; ++i)
-        right.moments.add(pointU(i), pointV(i));
+        right.moments.add(points_.u(i), points_.v(i));
 }
 
 /// Leaves out up to two points at each end that do not lie on the line of the others: mixed pixels at an edge.
@@ -307,15 +167,17 @@ void StatisticsExtractor::trimEnds(Piece& piece, const NoiseParameters& noise) c
             const int i = side == 0 ? piece.first : piece.last;
             MomentLine line = lineOf(piece.moments);
             const double suspicious = square(0.5 * kTrimSigmas) * centroidVariance(line, piece.moments, noise);
-            if (square(distanceTo(line, piece.moments, pointU(i), pointV(i))) < suspicious)
+            if (square(distanceTo(line, piece.moments, points_.u(i), points_.v(i))) < suspicious)
                 break;
             LineMoments others = piece.moments;
-            others.remove(pointU(i), pointV(i));
+            others.remove(points_.u(i), points_.v(i));
             line = lineOf(others);
             const double variance = centroidVariance(line, others, noise);
-            const double along = line.directionU * (pointU(i) - others.u) + line.directionV * (pointV(i) - others.v);
+            const double along =
+                line.directionU * (points_.u(i) - others.u) + line.directionV * (points_.v(i) - others.v);
             const double leverage = 1.0 + 1.0 / others.count + along * along / std::max(line.along, kLeastVariance);
-            if (square(distanceTo(line, others, pointU(i), pointV(i))) < square(kTrimSigmas) * leverage * variance)
+            if (square(distanceTo(line, others, points_.u(i), points_.v(i))) <
+                square(kTrimSigmas) * leverage * variance)
                 break;
             piece.moments = others;
             piece.first += side == 0 ? 1 : 0;
@@ -333,9 +195,9 @@ void StatisticsExtractor::clip(Piece& piece, const NoiseParameters& noise) const
         return;
     LineMoments inside;
     for (int i = piece.first; i <= piece.last; ++i) {
-        const double own = varianceAcross(line.normalU(), line.normalV(), pointU(i), pointV(i), noise);
-        if (square(distanceTo(line, piece.moments, pointU(i), pointV(i))) < square(kClipSigmas) * own)
-            inside.add(pointU(i), pointV(i));
+        const double own = varianceAcross(line.normalU(), line.normalV(), points_.u(i), points_.v(i), noise);
+        if (square(distanceTo(line, piece.moments, points_.u(i), points_.v(i))) < square(kClipSigmas) * own)
+            inside.add(points_.u(i), points_.v(i));
     }
     if (inside.count < kShortestPiece || 2.0 * inside.count < piece.moments.count)
         return;
@@ -348,9 +210,9 @@ bool StatisticsExtractor::belongTogether(const Piece& left, const Piece& right, 
 {
     if (right.first - left.last - 1 > kTrimmedPoints)
         return false;
-    const double gap = std::hypot(pointU(right.first) - pointU(left.last), pointV(right.first) - pointV(left.last));
-    const double range = static_cast<double>(
-        std::max(range_[static_cast<std::size_t>(left.last)], range_[static_cast<std::size_t>(right.first)]));
+    const double gap =
+        std::hypot(points_.u(right.first) - points_.u(left.last), points_.v(right.first) - points_.v(left.last));
+    const double range = std::max(points_.range(left.last), points_.range(right.first));
     if (gap >= std::max(parameters.segments.mergeGap, parameters.segments.mergeGapSteps * range * bearingStep))
         return false;
     together = left.moments;
@@ -365,30 +227,30 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const Piece& piece, const No
 {
     const LineMoments& moments = piece.moments;
     MomentLine line = lineOf(moments);
-    const double spanU = pointU(piece.last) - pointU(piece.first);
-    const double spanV = pointV(piece.last) - pointV(piece.first);
+    const double spanU = points_.u(piece.last) - points_.u(piece.first);
+    const double spanV = points_.v(piece.last) - points_.v(piece.first);
     if (spanU * line.directionU + spanV * line.directionV < 0.0) {
         line.directionU = -line.directionU;
         line.directionV = -line.directionV;
     }
 
     SegmentStatistics segment;
-    segment.firstBeam = beamOf(piece.first);
-    segment.lastBeam = beamOf(piece.last);
+    segment.firstBeam = points_.beam(piece.first);
+    segment.lastBeam = points_.beam(piece.last);
     segment.points = static_cast<int>(moments.count);
     segment.u = moments.u;
     segment.v = moments.v;
     segment.directionU = line.directionU;
     segment.directionV = line.directionV;
     const double offset = line.normalU() * moments.u + line.normalV() * moments.v;
-    const auto rangeAt = [&](int i) { return static_cast<double>(range_[static_cast<std::size_t>(i)]); };
     const double foot = -(line.directionU * moments.u + line.directionV * moments.v);  // from the centroid
     const double startAlong =
-        line.directionU * (pointU(piece.first) - moments.u) + line.directionV * (pointV(piece.first) - moments.v);
+        line.directionU * (points_.u(piece.first) - moments.u) + line.directionV * (points_.v(piece.first) - moments.v);
     const double endAlong = startAlong + line.directionU * spanU + line.directionV * spanV;
-    const double nearest =
-        foot > startAlong && foot < endAlong ? std::abs(offset) : std::min(rangeAt(piece.first), rangeAt(piece.last));
-    const double farthest = std::max(rangeAt(piece.first), rangeAt(piece.last));
+    const double nearest = foot > startAlong && foot < endAlong
+                               ? std::abs(offset)
+                               : std::min(points_.range(piece.first), points_.range(piece.last));
+    const double farthest = std::max(points_.range(piece.first), points_.range(piece.last));
     if (farthest < kOneWeightRatio * nearest || piece.clipped) {
         const double weight = 1.0 / centroidVariance(line, moments, noise);
         segment.offsetInformation = moments.count * weight;
@@ -403,7 +265,7 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const Piece& piece, const No
                                 static_cast<float>(std::max(kLeastVariance, square(noise.rangeConstant))),
                                 static_cast<float>(square(noise.rangeProportional)),
                                 static_cast<float>(square(noise.bearing))};
-        const ChordSums sums = kernels_.weightedSums(arrays(), piece.first, piece.last, frame, model);
+        const ChordSums sums = points_.kernels().weightedSums(points_.arrays(), piece.first, piece.last, frame, model);
         const double w = static_cast<double>(sums.weight);
         const double t = static_cast<double>(sums.t) / w;
         const double h = static_cast<double>(sums.h) / w;
@@ -435,10 +297,11 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const Piece& piece, const No
         segment.slopeInformation *= share;
     }
     const auto farther = [&](int i, int neighbour) {
-        return neighbour < 0 || neighbour >= count_ || std::abs(beamOf(i) - beamOf(neighbour)) > kBridgedBeams ||
-               rangeAt(neighbour) > rangeAt(i);
+        return neighbour < 0 || neighbour >= points_.count() ||
+               std::abs(points_.beam(i) - points_.beam(neighbour)) > kBridgedBeams ||
+               points_.range(neighbour) > points_.range(i);
     };
-    const auto marked = [&](int i) { return i >= count_ || marks_[static_cast<std::size_t>(i)] != 0; };
+    const auto marked = [&](int i) { return i >= points_.count() || points_.breaksBefore(i); };
     segment.startsFree = marked(piece.first) && farther(piece.first, piece.first - 1);
     segment.endsFree = marked(piece.last + 1) && farther(piece.last, piece.last + 1);
     return segment;
@@ -447,18 +310,11 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const Piece& piece, const No
 void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
                                   std::vector<SegmentStatistics>& segments)
 {
-    place(slice, sensor, parameters.noise);
-    if (count_ < kShortestPiece)
-        return;
-    const double perRange = gapPerRange(slice.bearingStep, parameters.segments);
-    kernels_.markGaps(arrays(), range_.data(), count_, static_cast<float>(perRange),
-                      static_cast<float>(parameters.segments.breakpointSigmas), marks_.data());
-    liftGaps(parameters, slice.bearingStep);
-
+    points_.take(slice, sensor, parameters);
     pieces_.clear();
     int first = 0;
-    for (int i = 1; i <= count_; ++i) {
-        if (i < count_ && marks_[static_cast<std::size_t>(i)] == 0)
+    for (int i = 1; i <= points_.count(); ++i) {
+        if (i < points_.count() && !points_.breaksBefore(i))
             continue;
         if (i - first >= kShortestPiece)
             splitRun(first, i - 1, parameters);

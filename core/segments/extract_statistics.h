@@ -3,12 +3,11 @@
 
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/geometry/sensor_model.h"
 #include "core/params/parameters.h"
-#include "core/segments/beam_kernels.h"
+#include "core/segments/beam_points.h"
 #include "core/segments/line_moments.h"
 #include "core/segments/segment_statistics.h"
 #include "core/types/scan_slice.h"
@@ -20,7 +19,7 @@ namespace planewright {
 /// Each scan point is touched here and never again.
 class StatisticsExtractor {
 public:
-    explicit StatisticsExtractor(const BeamKernels& kernels = beamKernels()) : kernels_(kernels) {}
+    explicit StatisticsExtractor(const BeamKernels& kernels = beamKernels()) : points_(kernels) {}
 
     /// Appends the segments of a slice in bearing order (Table II) to `segments`.
     ///
@@ -31,7 +30,7 @@ public:
                  std::vector<SegmentStatistics>& segments);
 
     /// Echoes of the slice that was extracted last.
-    int echoes() const { return count_; }
+    int echoes() const { return points_.count(); }
 
 private:
     /// Neighbouring points by their place among the echoes, both ends included, and their moments.
@@ -49,10 +48,6 @@ private:
         int depth = 0;
     };
 
-    void place(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& noise);
-    void updateBearings(const ScanSlice& slice);
-    void dropMissing(int beams);
-    void liftGaps(const Parameters& parameters, double bearingStep);
     void splitRun(int first, int last, const Parameters& parameters);
     void settleBorder(Piece& left, Piece& right, const NoiseParameters& noise) const;
     void trimEnds(Piece& piece, const NoiseParameters& noise) const;
@@ -60,22 +55,8 @@ private:
     bool belongTogether(const Piece& left, const Piece& right, const Parameters& parameters, double bearingStep,
                         LineMoments& together) const;
     SegmentStatistics statisticsOf(const Piece& piece, const NoiseParameters& noise) const;
-    LineMoments momentsOf(int first, int last) const;
-    ChordF chordOf(int first, int last) const;
-    BeamArrays arrays() const { return {u_.data(), v_.data(), relativeVariance_.data()}; }
-    double pointU(int i) const { return static_cast<double>(u_[static_cast<std::size_t>(i)]); }
-    double pointV(int i) const { return static_cast<double>(v_[static_cast<std::size_t>(i)]); }
-    int beamOf(int i) const { return beam_[static_cast<std::size_t>(i)]; }
 
-    const BeamKernels& kernels_;
-    std::vector<float> cosine_, sine_;
-    double firstBearing_ = 0.0;
-    double bearingStep_ = 0.0;
-    std::size_t tableBeams_ = 0;
-    std::vector<float> range_, u_, v_, relativeVariance_;  // of the echoes only
-    std::vector<int> beam_;                                // of each echo
-    int count_ = 0;
-    std::vector<std::uint8_t> marks_;
+    BeamPoints points_;
     std::vector<Open> open_;
     std::vector<Piece> pieces_;
 };

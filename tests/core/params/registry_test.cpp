@@ -45,7 +45,8 @@ QString text(std::string_view view)
 
 void RegistryTest::everyKeyIsNamedOnceAfterItsPart()
 {
-    const QRegularExpression form("^(noise|segments|assignment|clusters|planes|schedule)\\.[a-z]+(-[a-z]+)*$");
+    const QRegularExpression form(
+        "^(method|noise|segments|assignment|clusters|planes|likelihood|schedule)\\.[a-z]+(-[a-z]+)*$");
     std::set<std::string_view> keys;
     for (const ParameterRow& row : parameterRows()) {
         QVERIFY2(form.match(text(row.key)).hasMatch(), qPrintable(text(row.key)));

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/segments/beam_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/segments/breakpoints.h"
+
+namespace planewright {
+
+namespace {
+
+/// Beams over which 1/ρ may be followed across a gap.
+constexpr int kFollowedBeams = 4;
+
+double square(double x)
+{
+    return x * x;
+}
+
+}  // namespace
+
+void BeamPoints::updateBearings(const ScanSlice& slice)
+{
+    const std::size_t beams = slice.ranges.size();
+    if (cosine_.size() == beams && firstBearing_ == slice.firstBearing && bearingStep_ == slice.bearingStep)
+        return;
+    firstBearing_ = slice.firstBearing;
+    bearingStep_ = slice.bearingStep;
+    cosine_.resize(beams);
+    sine_.resize(beams);
+    range_.resize(beams);
+    u_.resize(beams);
+    v_.resize(beams);
+    relativeVariance_.resize(beams);
+    beam_.resize(beams);
+    marks_.resize(beams);
+    for (std::size_t i = 0; i < beams; ++i) {
+        cosine_[i] = static_cast<float>(std::cos(slice.bearing(i)));
+        sine_[i] = static_cast<float>(std::sin(slice.bearing(i)));
+    }
+}
+
+/// Closes up the beams without echo.
+void BeamPoints::dropMissing(int beams)
+{
+    int kept = 0;
+    for (int i = 0; i < beams; ++i) {
+        const auto from = at(i);
+        const auto to = static_cast<std::size_t>(kept);
+        beam_[to] = i;
+        u_[to] = u_[from];
+        v_[to] = v_[from];
+        relativeVariance_[to] = relativeVariance_[from];
+        kept += range_[from] > 0.0F ? 1 : 0;
+        range_[to] = range_[from];
+    }
+}
+
+void BeamPoints::take(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters)
+{
+    place(slice, sensor, parameters.noise);
+    if (count_ == 0)
+        return;
+    kernels_->markGaps(arrays(), range_.data(), count_,
+                       static_cast<float>(gapPerRange(slice.bearingStep, parameters.segments)),
+                       static_cast<float>(parameters.segments.breakpointSigmas), marks_.data());
+    liftGaps(parameters, slice.bearingStep);
+}
+
+void BeamPoints::place(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& noise)
+{
+    updateBearings(slice);
+    const int beams = static_cast<int>(slice.ranges.size());
+    count_ = kernels_->place(slice.ranges.data(), cosine_.data(), sine_.data(), beams,
+                             std::max(1e-6F, static_cast<float>(sensor.rangeMin)), static_cast<float>(sensor.rangeMax),
+                             static_cast<float>(square(noise.rangeConstant)),
+                             static_cast<float>(square(noise.rangeProportional)), range_.data(), u_.data(), v_.data(),
+                             relativeVariance_.data());
+    if (count_ < beams) {
+        dropMissing(beams);
+    } else {
+        for (int i = 0; i < beams; ++i)
+            beam_[at(i)] = i;
+    }
+}
+
+/// Looks again at the gaps found: beams between may be missing, and a wall seen at a shallow angle has wide gaps
+/// between points that all lie on it. 1/ρ of a straight line is A cos θ + B sin θ, nearly linear in the bearing.
+void BeamPoints::liftGaps(const Parameters& parameters, double bearingStep)
+{
+    const auto inverse = [this](int i) { return 1.0 / range(i); };
+    const auto slope = [&](int i) { return (inverse(i) - inverse(i - 1)) / (beam(i) - beam(i - 1)); };
+    const auto near = [this](int i) { return i >= 1 && i < count_ && beam(i) - beam(i - 1) <= kFollowedBeams; };
+    const double bearingShare = parameters.noise.bearing / bearingStep;
+    const auto goesOn = [&](int i, int j) {  // from the gap before i to the gap before j, which is a neighbour
+        if (!near(j))
+            return false;
+        const double here = slope(i);
+        const double there = slope(j);
+        if (here * there <= 0.0)
+            return false;
+        const double larger = std::max(std::abs(here), std::abs(there));
+        const double q = inverse(i - 1);
+        const double sigma =
+            parameters.noise.rangeConstant * q * q + parameters.noise.rangeProportional * q + bearingShare * larger;
+        const double difference = std::abs(here - there);
+        return difference < 9.6 * sigma * (beam(i) - beam(i - 1)) && difference < 0.5 * larger;
+    };
+    for (int i = 1; i < count_; ++i) {
+        std::uint8_t& mark = marks_[at(i)];
+        const int beams = beam(i) - beam(i - 1);
+        if (beams > kBridgedBeams)
+            mark = 1;
+        if (mark == 0 || beams > kBridgedBeams)
+            continue;
+        if (beams > 1) {
+            const double limit =
+                breakpointDistance(range(i - 1), bearingStep * beams, parameters.segments, parameters.noise);
+            if (std::hypot(u(i) - u(i - 1), v(i) - v(i - 1)) < limit) {
+                mark = 0;
+                continue;
+            }
+        }
+        if (near(i) && (goesOn(i, i - 1) || goesOn(i, i + 1)))
+            mark = 0;
+    }
+}
+
+ChordF BeamPoints::chordOf(int first, int last) const
+{
+    const auto a = static_cast<std::size_t>(first);
+    const auto b = static_cast<std::size_t>(last);
+    ChordF chord{u_[a], v_[a], u_[b] - u_[a], v_[b] - v_[a]};
+    const float length = std::sqrt(chord.directionU * chord.directionU + chord.directionV * chord.directionV);
+    if (length > 0.0F) {
+        chord.directionU /= length;
+        chord.directionV /= length;
+    } else {
+        chord.directionU = 1.0F;
+        chord.directionV = 0.0F;
+    }
+    return chord;
+}
+
+LineMoments BeamPoints::momentsOf(int first, int last) const
+{
+    const ChordF chord = chordOf(first, last);
+    const ChordSums sums = kernels_->sums(arrays(), first, last, chord);
+    const double n = static_cast<double>(sums.weight);
+    const double t = static_cast<double>(sums.t) / n;
+    const double h = static_cast<double>(sums.h) / n;
+    const double tt = static_cast<double>(sums.tt) - n * t * t;
+    const double th = static_cast<double>(sums.th) - n * t * h;
+    const double hh = static_cast<double>(sums.hh) - n * h * h;
+    const double c = static_cast<double>(chord.directionU);
+    const double s = static_cast<double>(chord.directionV);
+    LineMoments moments;
+    moments.count = n;
+    moments.u = static_cast<double>(chord.u) + c * t - s * h;
+    moments.v = static_cast<double>(chord.v) + s * t + c * h;
+    moments.uu = c * c * tt - 2.0 * c * s * th + s * s * hh;
+    moments.uv = c * s * (tt - hh) + (c * c - s * s) * th;
+    moments.vv = s * s * tt + 2.0 * c * s * th + c * c * hh;
+    return moments;
+}
+
+}  // namespace planewright

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/sensor_model.h"
+#include "core/params/parameters.h"
+#include "core/segments/beam_kernels.h"
+#include "core/segments/line_moments.h"
+#include "core/types/scan_slice.h"
+
+namespace planewright {
+
+/// Beams without echo that a run may bridge.
+inline constexpr int kBridgedBeams = 8;
+
+/// The echoes of a slice in the slice's own plane, as structures of floats, and the gaps between them.
+///
+/// Points are numbered among the echoes, in bearing order. Keeps its storage from slice to slice.
+class BeamPoints {
+public:
+    explicit BeamPoints(const BeamKernels& kernels) : kernels_(&kernels) {}
+
+    /// Takes in a slice and marks its breakpoints: gaps beyond D_o of Eq. (3), lifted where 1/ρ is linear in the
+    /// bearing, as it is on any straight wall however shallow. Ranges must be finite.
+    void take(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters);
+
+    int count() const { return count_; }
+    double u(int i) const { return static_cast<double>(u_[at(i)]); }
+    double v(int i) const { return static_cast<double>(v_[at(i)]); }
+    double range(int i) const { return static_cast<double>(range_[at(i)]); }
+    int beam(int i) const { return beam_[at(i)]; }
+    /// True where a new surface begins with point i.
+    bool breaksBefore(int i) const { return marks_[at(i)] != 0; }
+
+    BeamArrays arrays() const { return {u_.data(), v_.data(), relativeVariance_.data()}; }
+    const BeamKernels& kernels() const { return *kernels_; }
+
+    /// The chord from one point to another.
+    ChordF chordOf(int first, int last) const;
+    /// Moments of the points [first, last].
+    LineMoments momentsOf(int first, int last) const;
+
+private:
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    void place(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& noise);
+    void updateBearings(const ScanSlice& slice);
+    void dropMissing(int beams);
+    void liftGaps(const Parameters& parameters, double bearingStep);
+
+    const BeamKernels* kernels_;
+    std::vector<float> cosine_, sine_;
+    double firstBearing_ = 0.0;
+    double bearingStep_ = 0.0;
+    std::vector<float> range_, u_, v_, relativeVariance_;  // of the echoes only
+    std::vector<int> beam_;                                // of each echo
+    int count_ = 0;
+    std::vector<std::uint8_t> marks_;
+};
+
+}  // namespace planewright
