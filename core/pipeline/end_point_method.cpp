@@ -76,6 +76,11 @@ void EndPointMethod::finish(const Parameters& parameters, StepRecorder& recorder
         plane.refine(map_.segments, parameters.planes, map_.step);
 }
 
+void EndPointMethod::parametersChanged()
+{
+    map_.comparedStep = -1;
+}
+
 void EndPointMethod::count(StepCounts& counts) const
 {
     double error = 0.0;

@@ -21,6 +21,7 @@ public:
     void splitAndMerge(const Parameters& parameters, StepRecorder& recorder) override;
     void fitRemainingSegments(const Parameters& parameters, StepRecorder& recorder) override;
     void finish(const Parameters& parameters, StepRecorder& recorder) override;
+    void parametersChanged() override;
     void count(StepCounts& counts) const override;
     void publish(Snapshot& snapshot) override;
 

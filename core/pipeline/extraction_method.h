@@ -37,6 +37,9 @@ public:
     /// The forced last pass, after which nothing waits for a later step.
     virtual void finish(const Parameters& parameters, StepRecorder& recorder) = 0;
 
+    /// Called when the parameters change between steps: verdicts kept from before no longer hold.
+    virtual void parametersChanged() = 0;
+
     /// Totals of the state as it is: segments, fitted, unfitted, clusters, planes, mean error; and of the newest slice:
     /// segments, assigned, clustered.
     virtual void count(StepCounts& counts) const = 0;

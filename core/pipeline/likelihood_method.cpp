@@ -88,6 +88,12 @@ void LikelihoodMethod::dropOwnedFromClusters()
     map_.clusters.remove([this](SegmentNumber number) { return map_.segment(number).owner != kNoPlane; });
 }
 
+void LikelihoodMethod::parametersChanged()
+{
+    for (PlaneTrack& plane : map_.planes())
+        plane.comparedAt = 0;
+}
+
 void LikelihoodMethod::count(StepCounts& counts) const
 {
     double error = 0.0;

@@ -40,7 +40,11 @@ public:
     StepReport conclude();
 
     /// Parameters for the steps to come; `method.estimator` stays what it was at the start.
-    void setParameters(const Parameters& parameters) { parameters_ = parameters; }
+    void setParameters(const Parameters& parameters)
+    {
+        parameters_ = parameters;
+        method_->parametersChanged();
+    }
 
 private:
     std::shared_ptr<const Snapshot> makeSnapshot(StepReport report);

@@ -15,7 +15,9 @@ namespace {
 
 bool fits(SegmentNumber segment, const GrowingPlane& plane, const PlaneMap& map, const Parameters& parameters)
 {
-    return compareForAssignment(map.segments[segment], plane, parameters.assignment).pass();
+    const LineSegment& compared = map.segments[segment];
+    return fartherEnd(compared, plane) < farthestMatch(compared, parameters.assignment) &&
+           compareForAssignment(compared, plane, parameters.assignment).pass();
 }
 
 /// Share of a plane's segments that fit another plane, or 0 once it cannot reach the share asked for.
@@ -44,7 +46,7 @@ std::optional<std::size_t> coverOf(std::size_t place, const PlaneMap& map, const
     double best = 0.0;
     for (std::size_t i = 0; i < map.planes.size(); ++i) {
         const GrowingPlane& other = map.planes[i];
-        if (i == place || other.members().size() <= plane.members().size())
+        if (i == place || other.members().size() <= plane.members().size() || map.comparedAlready(plane, other))
             continue;
         const double share = sharedPart(plane, other, map, parameters);
         if (share < parameters.planes.mergeShare || share <= best)
@@ -97,6 +99,7 @@ void absorbPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& rec
         addToClusters(strangers, map, parameters.clusters, recorder);
         place = 0;
     }
+    map.comparedStep = map.step;
 }
 
 }  // namespace planewright

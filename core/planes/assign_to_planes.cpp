@@ -35,35 +35,49 @@ AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPla
     AssignmentTest test;
     const double start = plane.distanceTo(segment.start);
     const double end = plane.distanceTo(segment.end);
-    const EndPoint farther =
-        start > end ? EndPoint{segment.start, segment.startCovariance} : EndPoint{segment.end, segment.endCovariance};
+    const Eigen::Matrix3d& covariance = start > end ? segment.startCovariance : segment.endCovariance;
     test.distance = std::max(start, end);
     test.orthogonality = std::abs(plane.normal().dot(segment.direction));
     test.distanceLimit =
         std::max(parameters.planeDistance,
-                 parameters.planeDistanceSigmas * std::sqrt(plane.normal().dot(farther.covariance * plane.normal())));
+                 parameters.planeDistanceSigmas * std::sqrt(plane.normal().dot(covariance * plane.normal())));
     test.orthogonalityLimit =
         std::max(std::sin(parameters.orthogonality), parameters.orthogonalitySigmas * segment.directionSigma);
     return test;
 }
 
+double fartherEnd(const LineSegment& segment, const GrowingPlane& plane)
+{
+    return std::max(plane.distanceTo(segment.start), plane.distanceTo(segment.end));
+}
+
+double farthestMatch(const LineSegment& segment, const AssignmentParameters& parameters)
+{
+    // No direction has a larger variance than all of them together.
+    const double variance = std::max(segment.startCovariance.trace(), segment.endCovariance.trace());
+    return std::max(parameters.planeDistance, parameters.planeDistanceSigmas * std::sqrt(variance));
+}
+
 bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const LineSegment& segment = map.segments[number];
+    const double reach = farthestMatch(segment, parameters.assignment);
     GrowingPlane* best = nullptr;
     AssignmentTest bestTest;
-    GrowingPlane* nearest = nullptr;  // of those that do not match, for the explanation
-    AssignmentTest nearestTest;
+    GrowingPlane* nearest = nullptr;  // for the explanation of what does not match
+    double nearestDistance = std::numeric_limits<double>::infinity();
     for (GrowingPlane& plane : map.planes) {
+        const double distance = fartherEnd(segment, plane);
+        if (distance < nearestDistance) {
+            nearest = &plane;
+            nearestDistance = distance;
+        }
+        if (distance >= reach || (best != nullptr && distance >= bestTest.distance))
+            continue;
         const AssignmentTest test = compareForAssignment(segment, plane, parameters.assignment);
-        if (test.pass() && (best == nullptr || test.distance < bestTest.distance) &&
-            !leansOut(number, plane, map.segments, parameters.planes)) {
+        if (test.pass() && !leansOut(number, plane, map.segments, parameters.planes)) {
             best = &plane;
             bestTest = test;
-        }
-        if (nearest == nullptr || test.distance < nearestTest.distance) {
-            nearest = &plane;
-            nearestTest = test;
         }
     }
 
@@ -75,10 +89,11 @@ bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& pa
         if (best != nullptr)
             recorder.decide(DecisionKind::Assign, {segment.id, PlaneRef{best->id()}}, describe(bestTest),
                             {PlaneRef{best->id()}});
-        else if (nearest != nullptr)
+        else if (nearest != nullptr) {
+            const AssignmentTest test = compareForAssignment(segment, *nearest, parameters.assignment);
             recorder.decide(DecisionKind::Reject, {segment.id, PlaneRef{nearest->id()}},
-                            nearestTest.pass() ? contestedTest() : describe(nearestTest));
-        else
+                            test.pass() ? contestedTest() : describe(test));
+        } else
             recorder.decide(DecisionKind::Reject, {segment.id}, {});
     }
     if (best == nullptr)

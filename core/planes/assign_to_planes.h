@@ -24,10 +24,16 @@ struct AssignmentTest {
 AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPlane& plane,
                                     const AssignmentParameters& parameters);
 
+/// D_ij of Eq. (8) [m]: the distance of the farther end point from the plane.
+double fartherEnd(const LineSegment& segment, const GrowingPlane& plane);
+
+/// An upper bound [m] of the distance at which a segment matches a plane of any direction.
+double farthestMatch(const LineSegment& segment, const AssignmentParameters& parameters);
+
 /// Assigns a segment to the best matched plane, if one matches, and refits that plane after every so many additions.
 /// Gives true where it was assigned. A plane that is not settled and that the segment contests is passed over
 /// (segment_run.h).
-bool assignToBestPlane(SegmentNumber segment, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
+bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
 
 /// Assigns the segments from `first` on to existing planes (section 4.1.4, Table III); gives those left over.
 std::vector<SegmentNumber> assignToPlanes(SegmentNumber first, PlaneMap& map, const Parameters& parameters,

@@ -19,13 +19,14 @@ constexpr double kNearFactor = 2.0;
 
 /// Distance of an end point of one plane from the other, and what it may be: the merge distance on top of how far the
 /// end point may lie from its own plane, since segments were let in that far.
-PairDistance distanceAt(const EndPoint& point, const GrowingPlane& to, const Parameters& parameters)
+PairDistance distanceAt(const Eigen::Vector3d& point, const Eigen::Matrix3d& covariance, const GrowingPlane& to,
+                        const Parameters& parameters)
 {
     const AssignmentParameters& assignment = parameters.assignment;
-    const double pointSigma = std::sqrt(to.normal().dot(point.covariance * to.normal()));
-    const double planeSigma = std::sqrt(to.varianceAt(point.position));
+    const double pointSigma = std::sqrt(to.normal().dot(covariance * to.normal()));
+    const double planeSigma = std::sqrt(to.varianceAt(point));
     const double allowed = std::max(assignment.planeDistance, assignment.planeDistanceSigmas * pointSigma);
-    return {to.distanceTo(point.position),
+    return {to.distanceTo(point),
             allowed + std::max(parameters.planes.mergeDistance, parameters.planes.mergeSigmas * planeSigma)};
 }
 
@@ -140,9 +141,8 @@ PairDistance planePairDistance(const GrowingPlane& a, const GrowingPlane& b, con
     const auto look = [&](const GrowingPlane& from, const GrowingPlane& to) {
         for (const SegmentNumber number : from.members()) {
             const LineSegment& segment = table[number];
-            for (const EndPoint& point :
-                 {EndPoint{segment.start, segment.startCovariance}, EndPoint{segment.end, segment.endCovariance}}) {
-                const PairDistance here = distanceAt(point, to, parameters);
+            for (const PairDistance& here : {distanceAt(segment.start, segment.startCovariance, to, parameters),
+                                             distanceAt(segment.end, segment.endCovariance, to, parameters)}) {
                 if (worse(here, worst))
                     worst = here;
             }
@@ -177,6 +177,8 @@ void mergePlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& reco
                 continue;
             const auto& a = map.planes[std::min(i, j)];
             const auto& b = map.planes[std::max(i, j)];
+            if (map.comparedAlready(a, b))
+                continue;
             if (auto pair = compare(a, b, map.segments, parameters))
                 pairs.push_back(std::move(*pair));
         }

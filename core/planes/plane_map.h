@@ -18,7 +18,14 @@ struct PlaneMap {
     std::vector<GrowingPlane> planes;  ///< in order of id
     DirectionClusters clusters;
     PlaneId nextPlane = 0;
-    int step = 0;  ///< the step that is running
+    int step = 0;           ///< the step that is running
+    int comparedStep = -1;  ///< at which all pairs of planes were compared for merging last; −1 = not yet
+
+    /// True where neither of two planes has changed since all pairs were compared: the verdict would be the same.
+    bool comparedAlready(const GrowingPlane& a, const GrowingPlane& b) const
+    {
+        return a.changedStep() < comparedStep && b.changedStep() < comparedStep;
+    }
 
     GrowingPlane& plane(PlaneId id);
 

@@ -11,11 +11,6 @@ namespace planewright {
 
 namespace {
 
-double fartherEnd(const LineSegment& segment, const GrowingPlane& plane)
-{
-    return std::max(plane.distanceTo(segment.start), plane.distanceTo(segment.end));
-}
-
 /// The plane nearest to a segment, among those that it may belong to and that are nearer than its own.
 const GrowingPlane* nearerPlane(const LineSegment& segment, const GrowingPlane& own, const PlaneMap& map,
                                 const Parameters& parameters)

@@ -32,7 +32,8 @@ void HistoryTest::theFirstLineHasFormatAndParameters()
     QVERIFY(writeHistoryHeader(out, {}).has_value());
     const QByteArray line = QByteArray::fromStdString(out.str());
 
-    QVERIFY(line.startsWith(R"({"format":"planewright-history 1","parameters":{"noise.range-constant":0.008,)"));
+    QVERIFY(line.startsWith(
+        R"({"format":"planewright-history 1","parameters":{"method.estimator":"end-points","noise.range-constant":0.008,)"));
     QCOMPARE(line.count('\n'), 1);
     QVERIFY(line.endsWith("}}\n"));
     QVERIFY(QJsonDocument::fromJson(line)["parameters"].toObject().contains("planes.cost"));
