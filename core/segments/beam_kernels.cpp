@@ -52,28 +52,30 @@ PLANEWRIGHT_BODY void markGapsBody(const BeamArrays& points, const float* __rest
 }
 
 /// Squared deviation from a chord where it is beyond the limits, else 0.
-PLANEWRIGHT_BODY float countedDeviation(float u, float v, float relativeVariance, float normalU, float normalV,
-                                        float offset, const DeviationLimits& limits)
+template <class Number>
+PLANEWRIGHT_BODY Number countedDeviation(Number u, Number v, Number relativeVariance, Number normalU, Number normalV,
+                                         Number offset, const DeviationLimitsOf<Number>& limits)
 {
-    const float along = normalU * u + normalV * v;
-    const float across = normalV * u - normalU * v;
-    const float deviation = along - offset;
-    const float squared = deviation * deviation;
-    const float variance = along * along * relativeVariance + across * across * limits.bearingVariance;
-    const float limit = std::max(limits.fixedSquared, limits.sigmasSquared * variance);
-    return squared > limit ? squared : 0.0F;
+    const Number along = normalU * u + normalV * v;
+    const Number across = normalV * u - normalU * v;
+    const Number deviation = along - offset;
+    const Number squared = deviation * deviation;
+    const Number variance = along * along * relativeVariance + across * across * limits.bearingVariance;
+    const Number limit = std::max(limits.fixedSquared, limits.sigmasSquared * variance);
+    return squared > limit ? squared : Number{0};
 }
 
-PLANEWRIGHT_BODY int farthestBody(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,
-                                  const DeviationLimits& limits)
+template <class Number>
+PLANEWRIGHT_BODY int farthestBody(const BeamArraysOf<Number>& points, int first, int last, int stride,
+                                  const ChordOf<Number>& chord, const DeviationLimitsOf<Number>& limits)
 {
-    const float* __restrict u = points.u;
-    const float* __restrict v = points.v;
-    const float* __restrict relative = points.relativeVariance;
-    const float normalU = -chord.directionV;
-    const float normalV = chord.directionU;
-    const float offset = normalU * chord.u + normalV * chord.v;
-    float largest = 0.0F;
+    const Number* __restrict u = points.u;
+    const Number* __restrict v = points.v;
+    const Number* __restrict relative = points.relativeVariance;
+    const Number normalU = -chord.directionV;
+    const Number normalV = chord.directionU;
+    const Number offset = normalU * chord.u + normalV * chord.v;
+    Number largest = 0;
     if (stride == 1) {
         for (int i = first; i <= last; ++i)
             largest = std::max(largest, countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits));
@@ -81,7 +83,7 @@ PLANEWRIGHT_BODY int farthestBody(const BeamArrays& points, int first, int last,
         for (int i = first; i <= last; i += stride)
             largest = std::max(largest, countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits));
     }
-    if (largest == 0.0F)
+    if (largest == Number{0})
         return -1;
     for (int i = first; i <= last; i += stride) {
         if (countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits) == largest)
@@ -189,6 +191,11 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     {                                                                                                                  \
         return farthestBody(points, first, last, stride, chord, limits);                                               \
     }                                                                                                                  \
+    TARGET int farthestExactly##KIND(const BeamArraysOf<double>& points, int first, int last,                          \
+                                     const ChordOf<double>& chord, const DeviationLimitsOf<double>& limits)            \
+    {                                                                                                                  \
+        return farthestBody(points, first, last, 1, chord, limits);                                                    \
+    }                                                                                                                  \
     TARGET ChordSums sums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord)                    \
     {                                                                                                                  \
         return plainSumsBody(points, first, last, chord);                                                              \
@@ -198,7 +205,8 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     {                                                                                                                  \
         return weightedSumsBody(points, first, last, chord, model);                                                    \
     }                                                                                                                  \
-    constexpr BeamKernels k##KIND{#KIND, place##KIND, markGaps##KIND, farthest##KIND, sums##KIND, weightedSums##KIND};
+    constexpr BeamKernels k##KIND{                                                                                     \
+        #KIND, place##KIND, markGaps##KIND, farthest##KIND, farthestExactly##KIND, sums##KIND, weightedSums##KIND};
 
 PLANEWRIGHT_KERNELS(Baseline, )
 #ifdef __x86_64__

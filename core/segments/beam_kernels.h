@@ -9,27 +9,33 @@
 
 namespace planewright {
 
-/// Scan points of a slice as structure of floats: the laser's frame in the slice's own plane, u right, v ahead [m].
-struct BeamArrays {
-    const float* u = nullptr;
-    const float* v = nullptr;
-    const float* relativeVariance = nullptr;  ///< σ_ρ²/ρ²
+/// Scan points of a slice as structure of numbers: the laser's frame in the slice's own plane, u right, v ahead [m].
+template <class Number>
+struct BeamArraysOf {
+    const Number* u = nullptr;
+    const Number* v = nullptr;
+    const Number* relativeVariance = nullptr;  ///< σ_ρ²/ρ²
 };
+using BeamArrays = BeamArraysOf<float>;
 
-/// A straight line through a point in the slice's plane.
-struct ChordF {
-    float u = 0.0F;
-    float v = 0.0F;
-    float directionU = 1.0F;
-    float directionV = 0.0F;
+/// A straight line through a point in the slice's plane, with a unit vector along it.
+template <class Number>
+struct ChordOf {
+    Number u = 0;
+    Number v = 0;
+    Number directionU = 1;
+    Number directionV = 0;
 };
+using ChordF = ChordOf<float>;
 
 /// What makes a point's deviation from a chord count.
-struct DeviationLimits {
-    float fixedSquared = 0.0F;     ///< smallest squared deviation [m²]
-    float sigmasSquared = 0.0F;    ///< in variances of the point across the chord
-    float bearingVariance = 0.0F;  ///< σ_θ² [rad²]
+template <class Number>
+struct DeviationLimitsOf {
+    Number fixedSquared = 0;     ///< smallest squared deviation [m²]
+    Number sigmasSquared = 0;    ///< in variances of the point across the chord
+    Number bearingVariance = 0;  ///< σ_θ² [rad²]
 };
+using DeviationLimits = DeviationLimitsOf<float>;
 
 /// Sums over points in the frame of a chord: t along it, h across it [m].
 struct ChordSums {
@@ -69,6 +75,10 @@ struct BeamKernels {
     /// `stride`th looked at; −1 where there is none.
     int (*farthest)(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,
                     const DeviationLimits& limits);
+
+    /// The same for numbers of double precision, every point looked at.
+    int (*farthestExactly)(const BeamArraysOf<double>& points, int first, int last, const ChordOf<double>& chord,
+                           const DeviationLimitsOf<double>& limits);
 
     /// Sums over the points [first, last], each of weight 1.
     ChordSums (*sums)(const BeamArrays& points, int first, int last, const ChordF& chord);

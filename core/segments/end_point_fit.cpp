@@ -76,28 +76,22 @@ double splitDistance(const SlicePoints& points, int beam, const Eigen::Vector2d&
 
 int farthestFromChord(const SlicePoints& points, const PointRun& run, const SegmentParameters& parameters)
 {
-    const Eigen::Vector2d start = points[run.first];
-    Eigen::Vector2d chord = points[run.last] - start;
+    return farthestFromChord(points, {run.first + 1, run.last - 1}, run, parameters);
+}
+
+int farthestFromChord(const SlicePoints& points, const PointRun& among, const PointRun& ends,
+                      const SegmentParameters& parameters)
+{
+    const Eigen::Vector2d start = points[ends.first];
+    Eigen::Vector2d chord = points[ends.last] - start;
     const double length = chord.norm();
     if (length == 0.0)
         return -1;
     chord /= length;
-    const Eigen::Vector2d normal{-chord.y(), chord.x()};
-    const double offset = normal.dot(start);
-    const double fixed = parameters.splitDistance * parameters.splitDistance;
-    const double sigmas = parameters.splitSigmas * parameters.splitSigmas;
-
-    int farthest = -1;
-    double best = fixed;
-    for (int beam = run.first + 1; beam < run.last; ++beam) {
-        const double distance = normal.dot(points[beam]) - offset;
-        const double squared = distance * distance;
-        if (squared > best && squared > sigmas * points.varianceAcross(beam, normal)) {
-            best = squared;
-            farthest = beam;
-        }
-    }
-    return farthest;
+    return beamKernels().farthestExactly(points.arrays(), among.first, among.last,
+                                         {start.x(), start.y(), chord.x(), chord.y()},
+                                         {parameters.splitDistance * parameters.splitDistance,
+                                          parameters.splitSigmas * parameters.splitSigmas, points.bearingVariance()});
 }
 
 void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const SegmentParameters& parameters,

@@ -16,6 +16,10 @@ double splitDistance(const SlicePoints& points, int beam, const Eigen::Vector2d&
 /// The point of a run that lies farthest from the chord between its ends, among those beyond h_o; −1 where none is.
 int farthestFromChord(const SlicePoints& points, const PointRun& run, const SegmentParameters& parameters);
 
+/// The same among some points only, which must all be echoes, from the chord between the ends of another run.
+int farthestFromChord(const SlicePoints& points, const PointRun& among, const PointRun& ends,
+                      const SegmentParameters& parameters);
+
 /// Splits a run of echoes into straight pieces by iterative end-point fitting (section 4.1.2, Fig. 3a).
 ///
 /// A run is divided at the point farthest from the chord between its ends until none is farther than h_o. A point of

@@ -31,6 +31,26 @@ double angleBetween(const SliceLine& a, const SliceLine& b)
     return std::atan2(std::abs(cross), std::abs(a.direction.dot(b.direction)));
 }
 
+/// True where no echo of a part lies farther than h_o from the chord of the joined piece.
+bool staysStraight(const SlicePoints& points, const PointRun& part, const PointRun& joined,
+                   const SegmentParameters& parameters)
+{
+    if (points.echoesIn(part) == part.points())
+        return farthestFromChord(points, part, joined, parameters) < 0;
+    // Joined before, over beams without echo.
+    for (int first = part.first; first <= part.last; ++first) {
+        if (!points.hasEcho(first))
+            continue;
+        int last = first;
+        while (last < part.last && points.hasEcho(last + 1))
+            ++last;
+        if (farthestFromChord(points, {first, last}, joined, parameters) >= 0)
+            return false;
+        first = last;
+    }
+    return true;
+}
+
 bool belongTogether(const SlicePoints& points, const PointRun& left, const PointRun& right, double bearingStep,
                     const SegmentParameters& parameters)
 {
@@ -47,19 +67,8 @@ bool belongTogether(const SlicePoints& points, const PointRun& left, const Point
     if (angleBetween(leftLine, rightLine) >= std::max(parameters.mergeAngle, parameters.mergeAngleSigmas * sigma))
         return false;
 
-    const PointRun joined{left.first, right.last};
-    const auto straight = [&](const PointRun& part) {
-        const Eigen::Vector2d start = points[joined.first];
-        const Eigen::Vector2d chord = (points[joined.last] - start).normalized();
-        const Eigen::Vector2d normal{-chord.y(), chord.x()};
-        for (int beam = part.first; beam <= part.last; ++beam) {
-            if (points.hasEcho(beam) &&
-                std::abs(normal.dot(points[beam] - start)) > splitDistance(points, beam, normal, parameters))
-                return false;
-        }
-        return true;
-    };
-    return straight(left) && straight(right);
+    return staysStraight(points, left, {left.first, right.last}, parameters) &&
+           staysStraight(points, right, {left.first, right.last}, parameters);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "core/geometry/sensor_model.h"
 #include "core/params/parameters.h"
+#include "core/segments/beam_kernels.h"
 #include "core/types/scan_slice.h"
 
 namespace planewright {
@@ -74,6 +75,10 @@ public:
         const double across = normal.y() * u - normal.x() * v;
         return along * along * relativeRangeVariance_[at(beam)] + across * across * bearingVariance_;
     }
+
+    /// The points as arrays by beam, and σ_θ² [rad²].
+    BeamArraysOf<double> arrays() const { return {u_.data(), v_.data(), relativeRangeVariance_.data()}; }
+    double bearingVariance() const { return bearingVariance_; }
 
 private:
     struct Sums {
