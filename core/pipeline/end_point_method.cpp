@@ -73,7 +73,7 @@ void EndPointMethod::finish(const Parameters& parameters, StepRecorder& recorder
     reassignSegments(map_, parameters, recorder);
     fitRemainingSegments(parameters, recorder);
     for (GrowingPlane& plane : map_.planes)
-        plane.refine(map_.segments, parameters.planes, map_.step);
+        plane.refineIfChanged(map_.segments, parameters.planes, map_.step);
 }
 
 void EndPointMethod::parametersChanged()

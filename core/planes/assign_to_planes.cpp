@@ -46,11 +46,6 @@ AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPla
     return test;
 }
 
-double fartherEnd(const LineSegment& segment, const GrowingPlane& plane)
-{
-    return std::max(plane.distanceTo(segment.start), plane.distanceTo(segment.end));
-}
-
 double farthestMatch(const LineSegment& segment, const AssignmentParameters& parameters)
 {
     // No direction has a larger variance than all of them together.

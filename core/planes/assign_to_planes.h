@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/planes/plane_map.h"
@@ -25,7 +26,10 @@ AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPla
                                     const AssignmentParameters& parameters);
 
 /// D_ij of Eq. (8) [m]: the distance of the farther end point from the plane.
-double fartherEnd(const LineSegment& segment, const GrowingPlane& plane);
+inline double fartherEnd(const LineSegment& segment, const GrowingPlane& plane)
+{
+    return std::max(plane.distanceTo(segment.start), plane.distanceTo(segment.end));
+}
 
 /// An upper bound [m] of the distance at which a segment matches a plane of any direction.
 double farthestMatch(const LineSegment& segment, const AssignmentParameters& parameters);

@@ -81,6 +81,7 @@ double GrowingPlane::varianceAt(const Eigen::Vector3d& point) const
 void GrowingPlane::changed(int step)
 {
     changedStep_ = step;
+    refined_ = false;
     ++revision_;
     published_ = nullptr;
 }
@@ -139,6 +140,13 @@ void GrowingPlane::refine(const SegmentTable& table, const PlaneParameters& para
     refinedAt_ = members_.size();
     addedSinceRefit_ = 0;
     changed(step);
+    refined_ = true;
+}
+
+void GrowingPlane::refineIfChanged(const SegmentTable& table, const PlaneParameters& parameters, int step)
+{
+    if (!refined_)
+        refine(table, parameters, step);
 }
 
 void GrowingPlane::continueFrom(const GrowingPlane& before, int step)

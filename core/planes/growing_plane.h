@@ -43,6 +43,9 @@ public:
     /// Whether it has grown by a quarter since the last time that it had: enough to look at its segments again.
     bool hasGrownSinceAsked();
 
+    /// The same, unless nothing has changed since the plane was refined last.
+    void refineIfChanged(const SegmentTable& table, const PlaneParameters& parameters, int step);
+
     /// Tells a plane made of one that was split or merged.
     void setLineage(Lineage lineage) { lineage_ = std::move(lineage); }
 
@@ -84,6 +87,7 @@ private:
     std::array<Eigen::Vector3d, 6> extremes_;
     int addedSinceRefit_ = 0;
     std::size_t refinedAt_ = 0;
+    bool refined_ = false;  // and nothing has changed since
     std::size_t askedAt_ = 0;
     int bornStep_;
     int changedStep_;

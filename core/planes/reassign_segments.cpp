@@ -64,7 +64,7 @@ void reassignSegments(PlaneMap& map, const Parameters& parameters, StepRecorder&
     });
     addToClusters(homeless, map, parameters.clusters, recorder);
     for (GrowingPlane& plane : map.planes)
-        plane.refine(map.segments, parameters.planes, map.step);
+        plane.refineIfChanged(map.segments, parameters.planes, map.step);
 }
 
 }  // namespace planewright
