@@ -16,7 +16,7 @@ namespace {
 bool fits(SegmentNumber segment, const GrowingPlane& plane, const PlaneMap& map, const Parameters& parameters)
 {
     const LineSegment& compared = map.segments[segment];
-    return fartherEnd(compared, plane) < farthestMatch(compared, parameters.assignment) &&
+    return mayMatch(compared, fartherEnd(compared, plane), parameters.assignment) &&
            compareForAssignment(compared, plane, parameters.assignment).pass();
 }
 

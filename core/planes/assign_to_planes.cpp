@@ -46,17 +46,9 @@ AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPla
     return test;
 }
 
-double farthestMatch(const LineSegment& segment, const AssignmentParameters& parameters)
-{
-    // No direction has a larger variance than all of them together.
-    const double variance = std::max(segment.startCovariance.trace(), segment.endCovariance.trace());
-    return std::max(parameters.planeDistance, parameters.planeDistanceSigmas * std::sqrt(variance));
-}
-
 bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const LineSegment& segment = map.segments[number];
-    const double reach = farthestMatch(segment, parameters.assignment);
     GrowingPlane* best = nullptr;
     AssignmentTest bestTest;
     GrowingPlane* nearest = nullptr;  // for the explanation of what does not match
@@ -67,7 +59,7 @@ bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& pa
             nearest = &plane;
             nearestDistance = distance;
         }
-        if (distance >= reach || (best != nullptr && distance >= bestTest.distance))
+        if (!mayMatch(segment, distance, parameters.assignment) || (best != nullptr && distance >= bestTest.distance))
             continue;
         const AssignmentTest test = compareForAssignment(segment, plane, parameters.assignment);
         if (test.pass() && !leansOut(number, plane, map.segments, parameters.planes)) {

@@ -31,8 +31,15 @@ inline double fartherEnd(const LineSegment& segment, const GrowingPlane& plane)
     return std::max(plane.distanceTo(segment.start), plane.distanceTo(segment.end));
 }
 
-/// An upper bound [m] of the distance at which a segment matches a plane of any direction.
-double farthestMatch(const LineSegment& segment, const AssignmentParameters& parameters);
+/// False where a segment whose farther end is at this distance [m] from a plane cannot match it, whatever the plane's
+/// direction: a cheap test before compareForAssignment.
+inline bool mayMatch(const LineSegment& segment, double distance, const AssignmentParameters& parameters)
+{
+    // No direction has a larger variance than all of them together.
+    const double variance = std::max(segment.startCovariance.trace(), segment.endCovariance.trace());
+    const double sigmas = parameters.planeDistanceSigmas * parameters.planeDistanceSigmas;
+    return distance < parameters.planeDistance || distance * distance < sigmas * variance;
+}
 
 /// Assigns a segment to the best matched plane, if one matches, and refits that plane after every so many additions.
 /// Gives true where it was assigned. A plane that is not settled and that the segment contests is passed over

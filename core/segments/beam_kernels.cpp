@@ -36,18 +36,20 @@ PLANEWRIGHT_BODY int placeBody(const double* __restrict ranges, const float* __r
     return inside;
 }
 
-PLANEWRIGHT_BODY void markGapsBody(const BeamArrays& points, const float* __restrict range, int count,
-                                   float gapPerRange, float sigmas, std::uint8_t* __restrict marks)
+template <class Number>
+PLANEWRIGHT_BODY void markGapsBody(const BeamArraysOf<Number>& points, const Number* __restrict range, int count,
+                                   Number gapPerRange, Number sigmas, std::uint8_t* __restrict marks)
 {
-    const float* __restrict u = points.u;
-    const float* __restrict v = points.v;
-    const float* __restrict relative = points.relativeVariance;
+    const Number* __restrict u = points.u;
+    const Number* __restrict v = points.v;
+    const Number* __restrict relative = points.relativeVariance;
     marks[0] = 1;
     for (int i = 1; i < count; ++i) {
-        const float du = u[i] - u[i - 1];
-        const float dv = v[i] - v[i - 1];
-        const float limit = range[i - 1] * (gapPerRange + sigmas * std::sqrt(relative[i - 1]));
-        marks[i] = du * du + dv * dv >= limit * limit ? 1 : 0;
+        const Number du = u[i] - u[i - 1];
+        const Number dv = v[i] - v[i - 1];
+        const Number limit = range[i - 1] * (gapPerRange + sigmas * std::sqrt(relative[i - 1]));
+        const bool missing = std::min(range[i], range[i - 1]) <= Number{0};
+        marks[i] = missing | (du * du + dv * dv >= limit * limit) ? 1 : 0;
     }
 }
 
@@ -186,6 +188,11 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     {                                                                                                                  \
         markGapsBody(points, range, count, gapPerRange, sigmas, marks);                                                \
     }                                                                                                                  \
+    TARGET void markGapsExactly##KIND(const BeamArraysOf<double>& points, const double* range, int count,              \
+                                      double gapPerRange, double sigmas, std::uint8_t* marks)                          \
+    {                                                                                                                  \
+        markGapsBody(points, range, count, gapPerRange, sigmas, marks);                                                \
+    }                                                                                                                  \
     TARGET int farthest##KIND(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,          \
                               const DeviationLimits& limits)                                                           \
     {                                                                                                                  \
@@ -205,8 +212,8 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     {                                                                                                                  \
         return weightedSumsBody(points, first, last, chord, model);                                                    \
     }                                                                                                                  \
-    constexpr BeamKernels k##KIND{                                                                                     \
-        #KIND, place##KIND, markGaps##KIND, farthest##KIND, farthestExactly##KIND, sums##KIND, weightedSums##KIND};
+    constexpr BeamKernels k##KIND{#KIND,          place##KIND,           markGaps##KIND, markGapsExactly##KIND,        \
+                                  farthest##KIND, farthestExactly##KIND, sums##KIND,     weightedSums##KIND};
 
 PLANEWRIGHT_KERNELS(Baseline, )
 #ifdef __x86_64__

@@ -71,6 +71,11 @@ struct BeamKernels {
     void (*markGaps)(const BeamArrays& points, const float* range, int count, float gapPerRange, float sigmas,
                      std::uint8_t* marks);
 
+    /// The same for numbers of double precision, among all beams: a beam without echo (range 0) and the one after it
+    /// are marked too.
+    void (*markGapsExactly)(const BeamArraysOf<double>& points, const double* range, int count, double gapPerRange,
+                            double sigmas, std::uint8_t* marks);
+
     /// The point of [first, last] with the largest deviation from the chord among those beyond the limits, every
     /// `stride`th looked at; −1 where there is none.
     int (*farthest)(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace planewright {
 
@@ -23,38 +24,21 @@ double breakpointDistance(double range, double bearingStep, const SegmentParamet
 }
 
 void splitAtBreakpoints(const SlicePoints& points, double bearingStep, const SegmentParameters& parameters,
-                        const NoiseParameters& noise, std::vector<PointRun>& runs)
+                        std::vector<PointRun>& runs)
 {
     runs.clear();
-    const double perRange = gapPerRange(bearingStep, parameters);
-    // The noise term is worked out only where the first term does not already keep two neighbours together.
-    const auto isBreakpoint = [&](int beam) {
-        const double gap = (points[beam] - points[beam - 1]).squaredNorm();
-        const double range = points.range(beam - 1);
-        double limit = perRange * range;
-        if (gap < limit * limit)
-            return false;
-        limit += parameters.breakpointSigmas * std::sqrt(noise.rangeVariance(range));
-        return gap >= limit * limit;
-    };
-    PointRun run{0, -1};
-    const auto close = [&] {
-        if (run.points() >= 2)
-            runs.push_back(run);
-    };
-    for (int beam = 0; beam < points.beams(); ++beam) {
-        if (!points.hasEcho(beam)) {
-            close();
-            run = {beam + 1, beam};
-            continue;
-        }
-        if (run.points() > 0 && isBreakpoint(beam)) {
-            close();
-            run.first = beam;
-        }
-        run.last = beam;
+    const int beams = points.beams();
+    if (beams == 0)
+        return;
+    std::vector<std::uint8_t> marks(static_cast<std::size_t>(beams));
+    beamKernels().markGapsExactly(points.arrays(), points.ranges(), beams, gapPerRange(bearingStep, parameters),
+                                  parameters.breakpointSigmas, marks.data());
+    for (auto first = marks.begin(); first != marks.end();) {
+        const auto next = std::find(first + 1, marks.end(), std::uint8_t{1});
+        if (next - first >= 2)
+            runs.push_back({static_cast<int>(first - marks.begin()), static_cast<int>(next - marks.begin()) - 1});
+        first = next;
     }
-    close();
 }
 
 }  // namespace planewright

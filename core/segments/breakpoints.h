@@ -23,6 +23,6 @@ double breakpointDistance(double range, double bearingStep, const SegmentParamet
 /// sampled walls are not shredded. A beam without echo ends the run. Runs come in bearing order, never overlap and hold
 /// at least two points; a slice without echoes gives none.
 void splitAtBreakpoints(const SlicePoints& points, double bearingStep, const SegmentParameters& parameters,
-                        const NoiseParameters& noise, std::vector<PointRun>& runs);
+                        std::vector<PointRun>& runs);
 
 }  // namespace planewright

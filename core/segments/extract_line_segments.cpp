@@ -79,7 +79,7 @@ LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const Scan
 Segments LineSegmentExtractor::extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters)
 {
     points_.take(slice, sensor, parameters.noise);
-    splitAtBreakpoints(points_, slice.bearingStep, parameters.segments, parameters.noise, runs_);
+    splitAtBreakpoints(points_, slice.bearingStep, parameters.segments, runs_);
     pieces_.clear();
     for (const PointRun& run : runs_)
         splitByEndPointFit(points_, run, parameters.segments, pieces_);

@@ -78,6 +78,8 @@ public:
 
     /// The points as arrays by beam, and σ_θ² [rad²].
     BeamArraysOf<double> arrays() const { return {u_.data(), v_.data(), relativeRangeVariance_.data()}; }
+    /// Range of each beam [m], 0 without echo.
+    const double* ranges() const { return range_.data(); }
     double bearingVariance() const { return bearingVariance_; }
 
 private:

@@ -27,7 +27,7 @@ SegmentParameters tenDegrees(double sigmas)
 Runs runsOf(const ScanSlice& slice, double sigmas = 3.0, const NoiseParameters& noise = {0.008, 0.001, 0.0, 0.0})
 {
     Runs runs;
-    splitAtBreakpoints(pointsOf(slice), slice.bearingStep, tenDegrees(sigmas), noise, runs);
+    splitAtBreakpoints(pointsOf(slice, noise), slice.bearingStep, tenDegrees(sigmas), runs);
     return runs;
 }
 
@@ -222,7 +222,7 @@ void BreakpointsTest::runsOfTheSliceBeforeAreForgotten()
 {
     Runs runs{{3, 9}, {12, 40}};
 
-    splitAtBreakpoints(pointsOf(arc(4.0)), degrees(0.25), tenDegrees(3.0), {}, runs);
+    splitAtBreakpoints(pointsOf(arc(4.0)), degrees(0.25), tenDegrees(3.0), runs);
 
     QCOMPARE(runs, (Runs{{0, 79}}));
 }
