@@ -28,6 +28,7 @@ struct GrowingCluster {
     struct Member {
         SegmentNumber segment = 0;
         bool searched = false;  ///< has been the seed of a plane hypothesis
+        int triedStep = -1;     ///< step at which it was tried on all planes last; −1 = not yet
     };
 
     ClusterId id = kNoCluster;

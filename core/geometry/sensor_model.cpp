@@ -12,20 +12,16 @@ SensorModel sensorOf(const ScanDescription& description)
     return {description.pitchAxisOffset, description.rangeMin, description.rangeMax};
 }
 
-Eigen::Vector3d toCartesian(double range, double bearing, double tilt, const SensorModel& sensor)
+namespace {
+
+BeamDirection directionOf(double bearing, double tilt)
 {
-    const double ahead = range * std::sin(bearing);
-    // cos(φ − π/2) = sin φ and sin(φ − π/2) = −cos φ.
-    return {range * std::cos(bearing), ahead * std::sin(tilt) + sensor.pitchAxisOffset * std::cos(tilt),
-            -ahead * std::cos(tilt) + sensor.pitchAxisOffset * std::sin(tilt)};
+    return {std::sin(bearing), std::cos(bearing), std::sin(tilt), std::cos(tilt)};
 }
 
-Eigen::Matrix3d cartesianJacobian(double range, double bearing, double tilt, const SensorModel& sensor)
+Eigen::Matrix3d jacobianAt(double range, const BeamDirection& beam, const SensorModel& sensor)
 {
-    const double st = std::sin(bearing);
-    const double ct = std::cos(bearing);
-    const double sp = std::sin(tilt);
-    const double cp = std::cos(tilt);
+    const auto [st, ct, sp, cp] = beam;
     const double dl = sensor.pitchAxisOffset;
     Eigen::Matrix3d j;
     j << ct, -range * st, 0.0,                                //
@@ -34,13 +30,39 @@ Eigen::Matrix3d cartesianJacobian(double range, double bearing, double tilt, con
     return j;
 }
 
-Eigen::Matrix3d cartesianCovariance(double range, double bearing, double tilt, const SensorModel& sensor,
+}  // namespace
+
+Eigen::Vector3d toCartesian(double range, const BeamDirection& beam, const SensorModel& sensor)
+{
+    const double ahead = range * beam.sinBearing;
+    // cos(φ − π/2) = sin φ and sin(φ − π/2) = −cos φ.
+    return {range * beam.cosBearing, ahead * beam.sinTilt + sensor.pitchAxisOffset * beam.cosTilt,
+            -ahead * beam.cosTilt + sensor.pitchAxisOffset * beam.sinTilt};
+}
+
+Eigen::Vector3d toCartesian(double range, double bearing, double tilt, const SensorModel& sensor)
+{
+    return toCartesian(range, directionOf(bearing, tilt), sensor);
+}
+
+Eigen::Matrix3d cartesianJacobian(double range, double bearing, double tilt, const SensorModel& sensor)
+{
+    return jacobianAt(range, directionOf(bearing, tilt), sensor);
+}
+
+Eigen::Matrix3d cartesianCovariance(double range, const BeamDirection& beam, const SensorModel& sensor,
                                     const NoiseParameters& noise)
 {
-    const Eigen::Matrix3d j = cartesianJacobian(range, bearing, tilt, sensor);
+    const Eigen::Matrix3d j = jacobianAt(range, beam, sensor);
     const Eigen::Vector3d variances{noise.rangeVariance(range), noise.bearing * noise.bearing,
                                     noise.pitch * noise.pitch};
     return j * variances.asDiagonal() * j.transpose();
+}
+
+Eigen::Matrix3d cartesianCovariance(double range, double bearing, double tilt, const SensorModel& sensor,
+                                    const NoiseParameters& noise)
+{
+    return cartesianCovariance(range, directionOf(bearing, tilt), sensor, noise);
 }
 
 }  // namespace planewright

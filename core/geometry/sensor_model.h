@@ -23,6 +23,19 @@ struct SensorModel {
 /// The sensor model that a recording's description gives.
 SensorModel sensorOf(const ScanDescription& description);
 
+/// A beam's bearing θ and tilt φ by their sines and cosines: what Eq. (6) and its derivatives need of them.
+struct BeamDirection {
+    double sinBearing = 0.0;
+    double cosBearing = 1.0;
+    double sinTilt = 1.0;
+    double cosTilt = 0.0;
+};
+
+/// The same as below for a direction worked out before.
+Eigen::Vector3d toCartesian(double range, const BeamDirection& beam, const SensorModel& sensor);
+Eigen::Matrix3d cartesianCovariance(double range, const BeamDirection& beam, const SensorModel& sensor,
+                                    const NoiseParameters& noise);
+
 /// The point of a range [m] at a bearing θ and a tilt φ [rad], Eq. (6): x right, y forward, z up, origin on the pitch
 /// axis [m].
 Eigen::Vector3d toCartesian(double range, double bearing, double tilt, const SensorModel& sensor);

@@ -68,10 +68,10 @@ void EndPointMethod::fitRemainingSegments(const Parameters& parameters, StepReco
 void EndPointMethod::finish(const Parameters& parameters, StepRecorder& recorder)
 {
     planewright::fitPlanes(map_, parameters, recorder, true);
-    fitRemainingSegments(parameters, recorder);
+    planewright::fitRemainingSegments(map_, parameters, recorder, true);
     splitAndMerge(parameters, recorder);
     reassignSegments(map_, parameters, recorder);
-    fitRemainingSegments(parameters, recorder);
+    planewright::fitRemainingSegments(map_, parameters, recorder, true);
     for (GrowingPlane& plane : map_.planes)
         plane.refineIfChanged(map_.segments, parameters.planes, map_.step);
 }
@@ -79,6 +79,10 @@ void EndPointMethod::finish(const Parameters& parameters, StepRecorder& recorder
 void EndPointMethod::parametersChanged()
 {
     map_.comparedStep = -1;
+    for (GrowingCluster& cluster : map_.clusters.all()) {
+        for (auto& member : cluster.members)
+            member.triedStep = -1;
+    }
 }
 
 void EndPointMethod::count(StepCounts& counts) const

@@ -46,7 +46,8 @@ AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPla
     return test;
 }
 
-bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
+bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder,
+                       int since)
 {
     const LineSegment& segment = map.segments[number];
     GrowingPlane* best = nullptr;
@@ -54,6 +55,8 @@ bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& pa
     GrowingPlane* nearest = nullptr;  // for the explanation of what does not match
     double nearestDistance = std::numeric_limits<double>::infinity();
     for (GrowingPlane& plane : map.planes) {
+        if (plane.changedStep() < since)
+            continue;
         const double distance = fartherEnd(segment, plane);
         if (distance < nearestDistance) {
             nearest = &plane;

@@ -43,8 +43,9 @@ inline bool mayMatch(const LineSegment& segment, double distance, const Assignme
 
 /// Assigns a segment to the best matched plane, if one matches, and refits that plane after every so many additions.
 /// Gives true where it was assigned. A plane that is not settled and that the segment contests is passed over
-/// (segment_run.h).
-bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
+/// (segment_run.h), and so is one that has not changed since step `since`.
+bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder,
+                       int since = -1);
 
 /// Assigns the segments from `first` on to existing planes (section 4.1.4, Table III); gives those left over.
 std::vector<SegmentNumber> assignToPlanes(SegmentNumber first, PlaneMap& map, const Parameters& parameters,

@@ -9,18 +9,20 @@
 
 namespace planewright {
 
-int fitRemainingSegments(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
+int fitRemainingSegments(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder, bool onEveryPlane)
 {
     // In order of the segments, so that the result does not depend on how clusters happen to be filled.
-    std::vector<SegmentNumber> remaining;
-    for (const GrowingCluster& cluster : map.clusters.all()) {
-        for (const auto& member : cluster.members)
-            remaining.push_back(member.segment);
+    std::vector<GrowingCluster::Member> remaining;
+    for (GrowingCluster& cluster : map.clusters.all()) {
+        for (auto& member : cluster.members) {
+            remaining.push_back(member);
+            member.triedStep = map.step;
+        }
     }
-    std::sort(remaining.begin(), remaining.end());
+    std::sort(remaining.begin(), remaining.end(), [](const auto& a, const auto& b) { return a.segment < b.segment; });
 
-    const auto fitted = std::count_if(remaining.begin(), remaining.end(), [&](SegmentNumber segment) {
-        return assignToBestPlane(segment, map, parameters, recorder);
+    const auto fitted = std::count_if(remaining.begin(), remaining.end(), [&](const GrowingCluster::Member& member) {
+        return assignToBestPlane(member.segment, map, parameters, recorder, onEveryPlane ? -1 : member.triedStep);
     });
     if (fitted > 0)
         map.removeOwnedFromClusters();

@@ -9,7 +9,9 @@ namespace planewright {
 
 /// Tries the segments of the clusters again on the planes that exist by now (Table I line 10).
 ///
+/// A plane that has not changed since a segment was tried on it is passed over, unless `onEveryPlane` says otherwise.
 /// Gives the number of segments that were fitted.
-int fitRemainingSegments(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
+int fitRemainingSegments(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder,
+                         bool onEveryPlane = false);
 
 }  // namespace planewright

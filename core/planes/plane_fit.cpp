@@ -8,6 +8,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace planewright {
@@ -62,14 +63,42 @@ double WeightedSums::meanError(const Eigen::Vector3d& normal, double distance) c
     return points == 0 ? 0.0 : std::max(0.0, sum) / points;
 }
 
+namespace {
+
+/// Eigenvector of the smallest eigenvalue of a symmetric matrix.
+///
+/// The closed formula loses half of the digits where the smallest is nearly zero, as on any plane; two steps of
+/// Rayleigh iteration bring them back. The adjugate stands in for the inverse, which does not exist where the step is
+/// exact.
+Eigen::Vector3d smallestDirection(const Eigen::Matrix3d& matrix)
+{
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+    eigen.computeDirect(matrix);
+    Eigen::Vector3d direction = eigen.eigenvectors().col(0);
+    for (int step = 0; step < 2; ++step) {
+        Eigen::Matrix3d shifted = matrix;
+        shifted.diagonal().array() -= direction.dot(matrix * direction);
+        Eigen::Matrix3d adjugate;
+        adjugate << shifted.row(1).cross(shifted.row(2)), shifted.row(2).cross(shifted.row(0)),
+            shifted.row(0).cross(shifted.row(1));
+        const Eigen::Vector3d next = adjugate * direction;
+        const double length = next.norm();
+        if (!(length > 0.0))
+            break;
+        direction = next / length;
+    }
+    return direction;
+}
+
+}  // namespace
+
 PlaneFit fitPlane(const WeightedSums& sums, const Eigen::Vector3d& side)
 {
     const Eigen::Vector3d centroid = sums.first / sums.weight;
     const Eigen::Matrix3d scatter = sums.second - sums.first * centroid.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter);
 
     PlaneFit fit;
-    fit.normal = eigen.eigenvectors().col(0);
+    fit.normal = smallestDirection(scatter);
     if (fit.normal.dot(side) < 0.0)
         fit.normal = -fit.normal;
     fit.distance = fit.normal.dot(centroid);

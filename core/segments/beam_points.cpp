@@ -22,27 +22,6 @@ double square(double x)
 
 }  // namespace
 
-void BeamPoints::updateBearings(const ScanSlice& slice)
-{
-    const std::size_t beams = slice.ranges.size();
-    if (cosine_.size() == beams && firstBearing_ == slice.firstBearing && bearingStep_ == slice.bearingStep)
-        return;
-    firstBearing_ = slice.firstBearing;
-    bearingStep_ = slice.bearingStep;
-    cosine_.resize(beams);
-    sine_.resize(beams);
-    range_.resize(beams);
-    u_.resize(beams);
-    v_.resize(beams);
-    relativeVariance_.resize(beams);
-    beam_.resize(beams);
-    marks_.resize(beams);
-    for (std::size_t i = 0; i < beams; ++i) {
-        cosine_[i] = static_cast<float>(std::cos(slice.bearing(i)));
-        sine_[i] = static_cast<float>(std::sin(slice.bearing(i)));
-    }
-}
-
 /// Closes up the beams without echo.
 void BeamPoints::dropMissing(int beams)
 {
@@ -72,9 +51,18 @@ void BeamPoints::take(const ScanSlice& slice, const SensorModel& sensor, const P
 
 void BeamPoints::place(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& noise)
 {
-    updateBearings(slice);
+    tables_.select(slice);
+    const BearingTables<float>::Table& table = tables_.current();
     const int beams = static_cast<int>(slice.ranges.size());
-    count_ = kernels_->place(slice.ranges.data(), cosine_.data(), sine_.data(), beams,
+    if (range_.size() != slice.ranges.size()) {
+        range_.resize(slice.ranges.size());
+        u_.resize(slice.ranges.size());
+        v_.resize(slice.ranges.size());
+        relativeVariance_.resize(slice.ranges.size());
+        beam_.resize(slice.ranges.size());
+        marks_.resize(slice.ranges.size());
+    }
+    count_ = kernels_->place(slice.ranges.data(), table.cosine.data(), table.sine.data(), beams,
                              std::max(1e-6F, static_cast<float>(sensor.rangeMin)), static_cast<float>(sensor.rangeMax),
                              static_cast<float>(square(noise.rangeConstant)),
                              static_cast<float>(square(noise.rangeProportional)), range_.data(), u_.data(), v_.data(),

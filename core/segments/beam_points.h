@@ -9,6 +9,7 @@
 #include "core/geometry/sensor_model.h"
 #include "core/params/parameters.h"
 #include "core/segments/beam_kernels.h"
+#include "core/segments/bearing_tables.h"
 #include "core/segments/line_moments.h"
 #include "core/types/scan_slice.h"
 
@@ -47,14 +48,11 @@ public:
 private:
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
     void place(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& noise);
-    void updateBearings(const ScanSlice& slice);
     void dropMissing(int beams);
     void liftGaps(const Parameters& parameters, double bearingStep);
 
     const BeamKernels* kernels_;
-    std::vector<float> cosine_, sine_;
-    double firstBearing_ = 0.0;
-    double bearingStep_ = 0.0;
+    BearingTables<float> tables_;
     std::vector<float> range_, u_, v_, relativeVariance_;  // of the echoes only
     std::vector<int> beam_;                                // of each echo
     int count_ = 0;

@@ -7,24 +7,10 @@
 
 namespace planewright {
 
-void SlicePoints::updateBearings(const ScanSlice& slice)
-{
-    const std::size_t beams = slice.ranges.size();
-    if (cosine_.size() == beams && firstBearing_ == slice.firstBearing && bearingStep_ == slice.bearingStep)
-        return;
-    firstBearing_ = slice.firstBearing;
-    bearingStep_ = slice.bearingStep;
-    cosine_.resize(beams);
-    sine_.resize(beams);
-    for (std::size_t i = 0; i < beams; ++i) {
-        cosine_[i] = std::cos(slice.bearing(i));
-        sine_[i] = std::sin(slice.bearing(i));
-    }
-}
-
 void SlicePoints::take(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& noise)
 {
-    updateBearings(slice);
+    tables_.select(slice);
+    const BearingTables<double>::Table& table = tables_.current();
     const std::size_t beams = slice.ranges.size();
     u_.resize(beams);
     v_.resize(beams);
@@ -39,8 +25,8 @@ void SlicePoints::take(const ScanSlice& slice, const SensorModel& sensor, const 
     for (std::size_t i = 0; i < beams; ++i) {
         const double range = slice.ranges[i];
         const bool echo = sensor.hasEcho(range);
-        const double u = echo ? range * cosine_[i] : 0.0;
-        const double v = echo ? range * sine_[i] : 0.0;
+        const double u = echo ? range * table.cosine[i] : 0.0;
+        const double v = echo ? range * table.sine[i] : 0.0;
         u_[i] = u;
         v_[i] = v;
         range_[i] = echo ? range : 0.0;

@@ -11,6 +11,7 @@
 #include "core/geometry/sensor_model.h"
 #include "core/params/parameters.h"
 #include "core/segments/beam_kernels.h"
+#include "core/segments/bearing_tables.h"
 #include "core/types/scan_slice.h"
 
 namespace planewright {
@@ -76,6 +77,9 @@ public:
         return along * along * relativeRangeVariance_[at(beam)] + across * across * bearingVariance_;
     }
 
+    double sine(int beam) const { return tables_.current().sine[at(beam)]; }
+    double cosine(int beam) const { return tables_.current().cosine[at(beam)]; }
+
     /// The points as arrays by beam, and σ_θ² [rad²].
     BeamArraysOf<double> arrays() const { return {u_.data(), v_.data(), relativeRangeVariance_.data()}; }
     /// Range of each beam [m], 0 without echo.
@@ -89,11 +93,8 @@ private:
     };
 
     static std::size_t at(int beam) { return static_cast<std::size_t>(beam); }
-    void updateBearings(const ScanSlice& slice);
 
-    std::vector<double> cosine_, sine_;  ///< of the bearings
-    double firstBearing_ = 0.0;
-    double bearingStep_ = 0.0;
+    BearingTables<double> tables_;
     std::vector<double> u_, v_, range_;
     std::vector<double> relativeRangeVariance_;  ///< σ_ρ²/ρ²
     std::vector<char> echo_;
