@@ -16,17 +16,18 @@ namespace {
 
 constexpr int kLanes = 16;
 
-PLANEWRIGHT_BODY int placeBody(const double* __restrict ranges, const float* __restrict cosine,
-                               const float* __restrict sine, int beams, float rangeMin, float rangeMax,
-                               float constantVariance, float proportionalVariance, float* __restrict range,
-                               float* __restrict u, float* __restrict v, float* __restrict relativeVariance)
+template <class Number>
+PLANEWRIGHT_BODY int placeBody(const double* __restrict ranges, const Number* __restrict cosine,
+                               const Number* __restrict sine, int beams, Number rangeMin, Number rangeMax,
+                               Number constantVariance, Number proportionalVariance, Number* __restrict range,
+                               Number* __restrict u, Number* __restrict v, Number* __restrict relativeVariance)
 {
     int inside = 0;
     for (int i = 0; i < beams; ++i) {
-        const auto measured = static_cast<float>(ranges[i]);
+        const auto measured = static_cast<Number>(ranges[i]);
         const bool echo = measured >= rangeMin && measured <= rangeMax;
-        const float r = echo ? measured : 0.0F;
-        const float safe = echo ? measured : 1.0F;
+        const Number r = echo ? measured : Number{0};
+        const Number safe = echo ? measured : Number{1};
         range[i] = r;
         u[i] = r * cosine[i];
         v[i] = r * sine[i];
@@ -183,6 +184,14 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
         return placeBody(ranges, cosine, sine, beams, rangeMin, rangeMax, constantVariance, proportionalVariance,      \
                          range, u, v, relativeVariance);                                                               \
     }                                                                                                                  \
+    TARGET int placeExactly##KIND(const double* ranges, const double* cosine, const double* sine, int beams,           \
+                                  double rangeMin, double rangeMax, double constantVariance,                           \
+                                  double proportionalVariance, double* range, double* u, double* v,                    \
+                                  double* relativeVariance)                                                            \
+    {                                                                                                                  \
+        return placeBody(ranges, cosine, sine, beams, rangeMin, rangeMax, constantVariance, proportionalVariance,      \
+                         range, u, v, relativeVariance);                                                               \
+    }                                                                                                                  \
     TARGET void markGaps##KIND(const BeamArrays& points, const float* range, int count, float gapPerRange,             \
                                float sigmas, std::uint8_t* marks)                                                      \
     {                                                                                                                  \
@@ -212,8 +221,9 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     {                                                                                                                  \
         return weightedSumsBody(points, first, last, chord, model);                                                    \
     }                                                                                                                  \
-    constexpr BeamKernels k##KIND{#KIND,          place##KIND,           markGaps##KIND, markGapsExactly##KIND,        \
-                                  farthest##KIND, farthestExactly##KIND, sums##KIND,     weightedSums##KIND};
+    constexpr BeamKernels k##KIND{                                                                                     \
+        #KIND,          place##KIND,           placeExactly##KIND, markGaps##KIND,    markGapsExactly##KIND,           \
+        farthest##KIND, farthestExactly##KIND, sums##KIND,         weightedSums##KIND};
 
 PLANEWRIGHT_KERNELS(Baseline, )
 #ifdef __x86_64__

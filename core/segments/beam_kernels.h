@@ -66,6 +66,11 @@ struct BeamKernels {
                  float rangeMax, float constantVariance, float proportionalVariance, float* range, float* u, float* v,
                  float* relativeVariance);
 
+    /// The same for numbers of double precision.
+    int (*placeExactly)(const double* ranges, const double* cosine, const double* sine, int beams, double rangeMin,
+                        double rangeMax, double constantVariance, double proportionalVariance, double* range, double* u,
+                        double* v, double* relativeVariance);
+
     /// Marks with 1 each point i in 1 … count − 1 that is farther from its predecessor than D_o of Eq. (3): gapPerRange
     /// times range, plus `sigmas` standard deviations of a range. Mark 0 is 1.
     void (*markGaps)(const BeamArrays& points, const float* range, int count, float gapPerRange, float sigmas,

@@ -3,7 +3,9 @@
 
 #include "core/segments/slice_points.h"
 
+#include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace planewright {
 
@@ -16,23 +18,22 @@ void SlicePoints::take(const ScanSlice& slice, const SensorModel& sensor, const 
     v_.resize(beams);
     range_.resize(beams);
     relativeRangeVariance_.resize(beams);
-    echo_.resize(beams);
     sums_.resize(beams + 1);
     bearingVariance_ = noise.bearing * noise.bearing;
+    const double constant = noise.rangeConstant * noise.rangeConstant;
+    const double proportional = noise.rangeProportional * noise.rangeProportional;
+    // A range of zero is no echo, whatever the limits are.
+    const double rangeMin = std::max(sensor.rangeMin, std::numeric_limits<double>::min());
+    beamKernels().placeExactly(slice.ranges.data(), table.cosine.data(), table.sine.data(), static_cast<int>(beams),
+                               rangeMin, sensor.rangeMax, constant, proportional, range_.data(), u_.data(), v_.data(),
+                               relativeRangeVariance_.data());
 
     Sums sums;
     sums_[0] = sums;
     for (std::size_t i = 0; i < beams; ++i) {
-        const double range = slice.ranges[i];
-        const bool echo = sensor.hasEcho(range);
-        const double u = echo ? range * table.cosine[i] : 0.0;
-        const double v = echo ? range * table.sine[i] : 0.0;
-        u_[i] = u;
-        v_[i] = v;
-        range_[i] = echo ? range : 0.0;
-        relativeRangeVariance_[i] = echo ? noise.rangeVariance(range) / (range * range) : 0.0;
-        echo_[i] = echo ? 1 : 0;
-        sums.count += echo ? 1 : 0;
+        const double u = u_[i];
+        const double v = v_[i];
+        sums.count += range_[i] > 0.0 ? 1 : 0;
         sums.u += u;
         sums.v += v;
         sums.uu += u * u;

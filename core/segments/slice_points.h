@@ -53,7 +53,7 @@ public:
     void take(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& noise);
 
     int beams() const { return static_cast<int>(u_.size()); }
-    bool hasEcho(int beam) const { return echo_[at(beam)] != 0; }
+    bool hasEcho(int beam) const { return range_[at(beam)] > 0.0; }
     int echoes() const { return beams() == 0 ? 0 : sums_.back().count; }
     double range(int beam) const { return range_[at(beam)]; }
     Eigen::Vector2d operator[](int beam) const { return {u_[at(beam)], v_[at(beam)]}; }
@@ -97,8 +97,7 @@ private:
     BearingTables<double> tables_;
     std::vector<double> u_, v_, range_;
     std::vector<double> relativeRangeVariance_;  ///< σ_ρ²/ρ²
-    std::vector<char> echo_;
-    std::vector<Sums> sums_;  ///< over the beams before, so one more than beams
+    std::vector<Sums> sums_;                     ///< over the beams before, so one more than beams
     double bearingVariance_ = 0.0;
 };
 

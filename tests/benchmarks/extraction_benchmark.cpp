@@ -21,8 +21,8 @@ namespace {
 using Milliseconds = std::chrono::duration<double, std::milli>;
 using SteadyClock = std::chrono::steady_clock;
 
-/// Segments and median time of each of the eight settings of Table X.
-std::map<int, std::pair<double, double>> tableX;
+/// Segments and median time of each of the eight settings of Table X, by scene.
+std::map<std::string, std::map<int, std::pair<double, double>>> tableX;
 
 struct Run {
     double total = 0.0;         ///< [ms], from slices in memory to planes
@@ -86,7 +86,7 @@ void measure(benchmark::State& state, const std::string& scene, const std::strin
     state.counters["segments"] = run.segments;
     state.counters["planes"] = run.planes;
     if (columnOfTableX > 0)
-        tableX[columnOfTableX] = {run.segments, median(totals)};
+        tableX[scene][columnOfTableX] = {run.segments, median(totals)};
 }
 
 /// Slope and share of variance explained (R²) of the straight line y over x.
@@ -110,13 +110,13 @@ std::pair<double, double> lineThrough(const std::vector<double>& x, const std::v
     return {xy / xx, xy * xy / (xx * yy)};
 }
 
-void reportGrowth()
+void reportGrowth(const std::string& scene, const std::map<int, std::pair<double, double>>& columns)
 {
     std::vector<double> segments;
     std::vector<double> times;
     std::vector<double> logSegments;
     std::vector<double> logTimes;
-    for (const auto& [column, measured] : tableX) {
+    for (const auto& [column, measured] : columns) {
         segments.push_back(measured.first);
         times.push_back(measured.second);
         logSegments.push_back(std::log(measured.first));
@@ -124,8 +124,9 @@ void reportGrowth()
     }
     const auto [slope, fit] = lineThrough(segments, times);
     const auto [exponent, logFit] = lineThrough(logSegments, logTimes);
-    std::printf("Table X, time against segments: %.2f us a segment, R2 %.4f; exponent %.3f (log-log R2 %.4f)\n",
-                1000.0 * slope, fit, exponent, logFit);
+    std::printf(
+        "Table X in the %s, time against segments: %.2f us a segment, R2 %.4f; exponent %.3f (log-log R2 %.4f)\n",
+        scene.c_str(), 1000.0 * slope, fit, exponent, logFit);
 }
 
 }  // namespace
@@ -140,14 +141,18 @@ int main(int argc, char** argv)
     };
     for (const char* scene : {"corridor", "office", "hall"})
         add(scene, "table8", 0);
-    for (int column = 1; column <= 8; ++column)
-        add("office", "table10-" + std::to_string(column), column);
+    for (const char* scene : {"corridor", "office", "hall"}) {
+        for (int column = 1; column <= 8; ++column)
+            add(scene, "table10-" + std::to_string(column), column);
+    }
     add("office", "largest", 0);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 1;
     benchmark::RunSpecifiedBenchmarks();
-    if (tableX.size() == 8)
-        reportGrowth();
+    for (const auto& [scene, columns] : tableX) {
+        if (columns.size() == 8)
+            reportGrowth(scene, columns);
+    }
     return 0;
 }
