@@ -67,6 +67,7 @@ void EndPointMethod::fitRemainingSegments(const Parameters& parameters, StepReco
 
 void EndPointMethod::finish(const Parameters& parameters, StepRecorder& recorder)
 {
+    map_.comparedStep = -1;
     planewright::fitPlanes(map_, parameters, recorder, true);
     planewright::fitRemainingSegments(map_, parameters, recorder, true);
     splitAndMerge(parameters, recorder);

@@ -16,7 +16,8 @@ namespace {
 bool fits(SegmentNumber segment, const GrowingPlane& plane, const PlaneMap& map, const Parameters& parameters)
 {
     const LineSegment& compared = map.segments[segment];
-    return mayMatch(compared, fartherEnd(compared, plane), parameters.assignment) &&
+    const double distance = fartherEnd(compared, plane);
+    return distance * distance < squaredReach(compared, parameters.assignment) &&
            compareForAssignment(compared, plane, parameters.assignment).pass();
 }
 
@@ -46,7 +47,7 @@ std::optional<std::size_t> coverOf(std::size_t place, const PlaneMap& map, const
     double best = 0.0;
     for (std::size_t i = 0; i < map.planes.size(); ++i) {
         const GrowingPlane& other = map.planes[i];
-        if (i == place || other.members().size() <= plane.members().size() || map.comparedAlready(plane, other))
+        if (i == place || other.members().size() <= plane.members().size() || plane.changedStep() < map.comparedStep)
             continue;
         const double share = sharedPart(plane, other, map, parameters);
         if (share < parameters.planes.mergeShare || share <= best)

@@ -50,6 +50,7 @@ bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& pa
                        int since)
 {
     const LineSegment& segment = map.segments[number];
+    const double reach = squaredReach(segment, parameters.assignment);
     GrowingPlane* best = nullptr;
     AssignmentTest bestTest;
     GrowingPlane* nearest = nullptr;  // for the explanation of what does not match

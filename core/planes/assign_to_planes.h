@@ -31,14 +31,14 @@ inline double fartherEnd(const LineSegment& segment, const GrowingPlane& plane)
     return std::max(plane.distanceTo(segment.start), plane.distanceTo(segment.end));
 }
 
-/// False where a segment whose farther end is at this distance [m] from a plane cannot match it, whatever the plane's
-/// direction: a cheap test before compareForAssignment.
-inline bool mayMatch(const LineSegment& segment, double distance, const AssignmentParameters& parameters)
+/// Square of the distance [m²] from which on a segment's farther end matches no plane, whatever its direction: for a
+/// cheap test before compareForAssignment.
+inline double squaredReach(const LineSegment& segment, const AssignmentParameters& parameters)
 {
     // No direction has a larger variance than all of them together.
     const double variance = std::max(segment.startCovariance.trace(), segment.endCovariance.trace());
-    const double sigmas = parameters.planeDistanceSigmas * parameters.planeDistanceSigmas;
-    return distance < parameters.planeDistance || distance * distance < sigmas * variance;
+    return std::max(parameters.planeDistance * parameters.planeDistance,
+                    parameters.planeDistanceSigmas * parameters.planeDistanceSigmas * variance);
 }
 
 /// Assigns a segment to the best matched plane, if one matches, and refits that plane after every so many additions.

@@ -42,7 +42,8 @@ void mergePlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& reco
 /// clusters, unless their runs contest the larger plane.
 ///
 /// A plane that began with few, short or far segments may stand at an angle that Eq. (21) never lets pass, while its
-/// segments lie on a wall that is known well by now. Ends the comparison of pairs of this step.
+/// segments lie on a wall that is known well by now. Planes that have not changed since
+/// they were compared last are passed over. Ends the comparison of pairs of this step.
 void absorbPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
 
 }  // namespace planewright
