@@ -63,7 +63,7 @@ bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& pa
             nearest = &plane;
             nearestDistance = distance;
         }
-        if (!mayMatch(segment, distance, parameters.assignment) || (best != nullptr && distance >= bestTest.distance))
+        if (distance * distance >= reach || (best != nullptr && distance >= bestTest.distance))
             continue;
         const AssignmentTest test = compareForAssignment(segment, plane, parameters.assignment);
         if (test.pass() && !leansOut(number, plane, map.segments, parameters.planes)) {
