@@ -98,7 +98,8 @@ void StatisticsExtractor::splitRun(int first, int last, const Parameters& parame
         int division = divisionOf(open);
         if (division < 0) {
             // Neighbours share their point of division; it belongs to the left one until the border is settled.
-            const int start = open.first == first ? first : open.first + 1;
+            const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
+            const int start = shared ? open.first + 1 : open.first;
             if (open.last - start + 1 >= kShortestPiece)
                 pieces_.push_back({start, open.last, points_.momentsOf(start, open.last)});
             continue;
@@ -252,7 +253,13 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const Piece& piece, const No
                                : std::min(points_.range(piece.first), points_.range(piece.last));
     const double farthest = std::max(points_.range(piece.first), points_.range(piece.last));
     if (farthest < kOneWeightRatio * nearest || piece.clipped) {
-        const double weight = 1.0 / centroidVariance(line, moments, noise);
+        // One weight for all points: that of the mean variance along the segment, by Simpson's rule.
+        const auto varianceAt = [&](double along) {
+            return varianceAcross(line.normalU(), line.normalV(), moments.u + along * line.directionU,
+                                  moments.v + along * line.directionV, noise);
+        };
+        const double weight =
+            6.0 / (varianceAt(startAlong) + 4.0 * varianceAt(0.5 * (startAlong + endAlong)) + varianceAt(endAlong));
         segment.offsetInformation = moments.count * weight;
         segment.slopeInformation = line.along * weight;
         segment.chi = line.across * weight;
