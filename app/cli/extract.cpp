@@ -22,6 +22,7 @@
 #include "core/formats/planes_mesh.h"
 #include "core/formats/points_files.h"
 #include "core/formats/segments_files.h"
+#include "core/pipeline/complete_labels.h"
 
 namespace planewright {
 
@@ -179,8 +180,10 @@ Result<ExitCode> extract(const ExtractOptions& options)
         return tl::unexpected{result.error()};
     extraction.result = std::move(*result);
     extraction.planes = planeResults(*extraction.result.snapshot);
-    if (!options.labels.empty() || !options.points.empty())
+    if (!options.labels.empty() || !options.points.empty()) {
         extraction.labels = labelsOf(*extraction.result.snapshot, extraction.recording);
+        completeLabels(extraction.labels, *extraction.result.snapshot, extraction.recording, extraction.parameters);
+    }
 
     for (const PlannedOutput& output : plan.outputs()) {
         const auto written = output.file->write([&](std::ostream& out) { return output.writer(out, extraction); });

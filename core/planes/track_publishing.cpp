@@ -12,18 +12,6 @@ namespace planewright {
 
 namespace {
 
-/// Σ of squared distances of the points across their own line [m²], by the segment's weights.
-double squaredThickness(const SegmentStatistics& s)
-{
-    return s.offsetInformation > 0.0 ? s.chi * s.points / s.offsetInformation : 0.0;
-}
-
-/// Mean squared distance of the points from the centroid along the line [m²].
-double meanSquareAlong(const SegmentStatistics& s)
-{
-    return s.offsetInformation > 0.0 ? s.slopeInformation / s.offsetInformation : 0.0;
-}
-
 double rmsOf(const PlaneTrack& plane, const TrackMap& map)
 {
     double sum = 0.0;
@@ -35,7 +23,7 @@ double rmsOf(const PlaneTrack& plane, const TrackMap& map)
         const double place = n.dot(frame.pointAt(s.u, s.v)) - plane.estimate.distance();
         const double slope = n.dot(directionOf(number, map));
         const double across = s.directionU * n.dot(frame.ahead) - s.directionV * n.x();
-        sum += s.points * (place * place + slope * slope * meanSquareAlong(s)) + across * across * squaredThickness(s);
+        sum += s.points * (place * place + slope * slope * s.spread + across * across * s.thickness);
     }
     return std::sqrt(sum / static_cast<double>(std::max<std::int64_t>(1, plane.points)));
 }
@@ -84,12 +72,12 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
         segment.direction = -directionOf(number, map);
         segment.viewpoint = slice.frame.origin;
         segment.directionSigma = s.slopeInformation > 0.0 ? 1.0 / std::sqrt(s.slopeInformation) : std::numbers::pi;
-        segment.rms = std::sqrt(squaredThickness(s) / s.points);
+        segment.rms = std::sqrt(s.thickness);
         segment.moments.count = s.points;
         segment.moments.mean = slice.frame.pointAt(s.u, s.v);
         const Eigen::Vector3d across = Eigen::Vector3d{-s.directionV, 0.0, 0.0} + s.directionU * slice.frame.ahead;
-        segment.moments.scatter = s.points * meanSquareAlong(s) * segment.direction * segment.direction.transpose() +
-                                  squaredThickness(s) * across * across.transpose();
+        segment.moments.scatter = s.points * s.spread * segment.direction * segment.direction.transpose() +
+                                  s.points * s.thickness * across * across.transpose();
         segments.push_back(std::move(segment));
     }
     return segments;

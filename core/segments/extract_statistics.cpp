@@ -243,6 +243,8 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const Piece& piece, const No
     segment.v = moments.v;
     segment.directionU = line.directionU;
     segment.directionV = line.directionV;
+    segment.thickness = line.across / moments.count;
+    segment.spread = line.along / moments.count;
     const double offset = line.normalU() * moments.u + line.normalV() * moments.v;
     const double foot = -(line.directionU * moments.u + line.directionV * moments.v);  // from the centroid
     const double startAlong =

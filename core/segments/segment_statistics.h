@@ -21,6 +21,8 @@ struct SegmentStatistics {
     double offsetInformation = 0.0;             ///< Σ w, of the centroid's place across the line [1/m²]
     double slopeInformation = 0.0;              ///< Σ w t², of the line's angle [1/rad²]
     double chi = 0.0;                           ///< Σ w e² about the line; expectation points − 2
+    double thickness = 0.0;                     ///< mean squared distance of the points from the line [m²]
+    double spread = 0.0;                        ///< mean squared distance from the centroid along the line [m²]
     bool startsFree = false;                    ///< beyond the first beam something clearly farther follows
     bool endsFree = false;                      ///< the same beyond the last beam
 

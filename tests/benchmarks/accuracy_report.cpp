@@ -19,6 +19,7 @@
 #include "core/formats/labels.h"
 #include "core/params/presets.h"
 #include "core/params/registry.h"
+#include "core/pipeline/complete_labels.h"
 #include "core/pipeline/plane_extractor.h"
 #include "core/planes/end_point_cost.h"
 #include "core/simulation/nodding_scanner.h"
@@ -180,7 +181,8 @@ int main(int argc, char** argv)
                 planes.push_back({plane->id, plane->normal, plane->distance});
             for (const TruePlane& plane : scene.planes)
                 truth.push_back({plane.id, plane.normal, plane.distance});
-            const Labels labels = labelsOf(*found, scan.recording);
+            Labels labels = labelsOf(*found, scan.recording);
+            completeLabels(labels, *found, scan.recording, parameters);
             const LabelComparison at50 = *compareLabels(labels, scan.labels, planes, truth, {0.5, minReturns});
             const LabelComparison at80 = *compareLabels(labels, scan.labels, planes, truth, {0.8, minReturns});
             add(tally.at50, at50);

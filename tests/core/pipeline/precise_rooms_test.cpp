@@ -81,7 +81,8 @@ void PreciseRoomsTest::planesOfSimulatedRoomsAreFound()
 
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
         const SimulatedRoom room = scanOf(scene.toStdString(), "default", seed);
-        const LabelComparison compared = comparedWithTruth(room, *extracted(room.scan.recording, precise()), 200);
+        const LabelComparison compared =
+            comparedWithTruth(room, *extracted(room.scan.recording, precise()), 200, precise());
         correct += static_cast<double>(compared.correct.size());
         groups += static_cast<double>(compared.groups);
         regions += static_cast<double>(compared.regions);

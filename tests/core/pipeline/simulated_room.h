@@ -10,6 +10,7 @@
 
 #include "core/evaluation/compare_labels.h"
 #include "core/formats/labels.h"
+#include "core/pipeline/complete_labels.h"
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
 
@@ -46,15 +47,18 @@ inline std::shared_ptr<const Snapshot> extracted(const Recording& recording, con
 }
 
 /// Compares what was found with the truth, as `planewright-cli compare --labels` does.
-inline LabelComparison comparedWithTruth(const SimulatedRoom& room, const Snapshot& found, std::int64_t minReturns)
+inline LabelComparison comparedWithTruth(const SimulatedRoom& room, const Snapshot& found, std::int64_t minReturns,
+                                         const Parameters& parameters = {})
 {
+    Labels labels = labelsOf(found, room.scan.recording);
+    completeLabels(labels, found, room.scan.recording, parameters);
     std::vector<ComparedPlane> planes;
     for (const auto& plane : found.planes)
         planes.push_back({plane->id, plane->normal, plane->distance});
     std::vector<ComparedPlane> truth;
     for (const TruePlane& plane : room.scene.planes)
         truth.push_back({plane.id, plane.normal, plane.distance});
-    return *compareLabels(labelsOf(found, room.scan.recording), room.scan.labels, planes, truth, {0.5, minReturns});
+    return *compareLabels(labels, room.scan.labels, planes, truth, {0.5, minReturns});
 }
 
 }  // namespace planewright

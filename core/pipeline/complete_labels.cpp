@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/pipeline/complete_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/geometry/sensor_model.h"
+
+namespace planewright {
+
+namespace {
+
+using Labels = std::vector<std::vector<PlaneId>>;
+
+/// Beams within which a plane to the left or to the right counts as next to an echo.
+constexpr int kReach = 8;
+/// Echoes at the border of two planes that may change sides.
+constexpr int kBorder = 6;
+constexpr double kSigmas = 3.0;
+
+/// Scans the planes for the best explanation of an echo.
+class Labeller {
+public:
+    Labeller(const Snapshot& snapshot, const Recording& recording, const Parameters& parameters, Labels& labels)
+        : recording_(recording), parameters_(parameters), sensor_(sensorOf(recording.description)), labels_(labels)
+    {
+        for (const auto& plane : snapshot.planes) {
+            if (static_cast<std::size_t>(plane->id) >= planes_.size())
+                planes_.resize(static_cast<std::size_t>(plane->id) + 1, nullptr);
+            planes_[static_cast<std::size_t>(plane->id)] = plane.get();
+        }
+    }
+
+    void labelSlice(std::size_t slice)
+    {
+        exchangeBorders(slice);
+        const ScanSlice& scan = recording_.slices[slice];
+        const int beams = static_cast<int>(scan.ranges.size());
+        std::vector<PlaneId>& line = labels_[slice];
+        // The plane to the left of each echo, and how far: labels given on the way count for those that follow.
+        PlaneId left = kNoPlane;
+        int leftBeam = std::numeric_limits<int>::min() / 2;
+        for (int beam = 0; beam < beams; ++beam) {
+            const auto at = static_cast<std::size_t>(beam);
+            if (line[at] == kNoPlane && sensor_.hasEcho(scan.ranges[at])) {
+                Choice choice;
+                const Ray ray = rayOf(scan, at);
+                if (beam - leftBeam <= kReach)
+                    consider(left, ray, choice);
+                for (int right = beam + 1; right < std::min(beams, beam + kReach + 1); ++right) {
+                    if (line[static_cast<std::size_t>(right)] != kNoPlane) {
+                        consider(line[static_cast<std::size_t>(right)], ray, choice);
+                        break;
+                    }
+                }
+                if (slice > 0)
+                    consider(labelAt(slice - 1, at), ray, choice);
+                if (slice + 1 < labels_.size())
+                    consider(labelAt(slice + 1, at), ray, choice);
+                line[at] = choice.plane;
+            }
+            if (line[at] != kNoPlane) {
+                left = line[at];
+                leftBeam = beam;
+            }
+        }
+    }
+
+private:
+    struct Ray {
+        Eigen::Vector3d point;
+        Eigen::Matrix3d covariance;
+    };
+    struct Choice {
+        PlaneId plane = kNoPlane;
+        double sigmas = kSigmas;
+    };
+
+    Ray rayOf(const ScanSlice& scan, std::size_t beam) const
+    {
+        const double bearing = scan.bearing(beam);
+        const double tilt = scan.tiltAt(beam);
+        return {toCartesian(scan.ranges[beam], bearing, tilt, sensor_),
+                cartesianCovariance(scan.ranges[beam], bearing, tilt, sensor_, parameters_.noise)};
+    }
+
+    double sigmasTo(PlaneId id, const Ray& ray) const
+    {
+        const Plane& plane = *planes_[static_cast<std::size_t>(id)];
+        Eigen::Vector3d row;
+        row << plane.tangents.transpose() * ray.point, -1.0;
+        const double floor = parameters_.planes.flatness;
+        const double variance =
+            plane.normal.dot(ray.covariance * plane.normal) + row.dot(plane.covariance * row) + floor * floor;
+        return std::abs(plane.normal.dot(ray.point) - plane.distance) / std::sqrt(variance);
+    }
+
+    void consider(PlaneId id, const Ray& ray, Choice& choice) const
+    {
+        if (id == kNoPlane || id == choice.plane)
+            return;
+        const double sigmas = sigmasTo(id, ray);
+        if (sigmas < choice.sigmas)
+            choice = {id, sigmas};
+    }
+
+    PlaneId labelAt(std::size_t slice, std::size_t beam) const
+    {
+        return beam < labels_[slice].size() ? labels_[slice][beam] : kNoPlane;
+    }
+
+    /// Moves the border of two neighbouring planes to where their echoes say it is.
+    void exchangeBorders(std::size_t slice)
+    {
+        const ScanSlice& scan = recording_.slices[slice];
+        std::vector<PlaneId>& line = labels_[slice];
+        for (std::size_t beam = 1; beam < line.size(); ++beam) {
+            const PlaneId left = line[beam - 1];
+            const PlaneId right = line[beam];
+            if (left == right || left == kNoPlane || right == kNoPlane)
+                continue;
+            const auto move = [&](std::size_t from, int towards, PlaneId own, PlaneId other) {
+                std::size_t moved = 0;
+                for (auto at = static_cast<std::ptrdiff_t>(from);
+                     at >= 0 && at < static_cast<std::ptrdiff_t>(line.size()) && moved < kBorder; at += towards) {
+                    const auto i = static_cast<std::size_t>(at);
+                    if (line[i] != own)
+                        break;
+                    const Ray ray = rayOf(scan, i);
+                    if (!(sigmasTo(other, ray) < sigmasTo(own, ray)))
+                        break;
+                    line[i] = other;
+                    ++moved;
+                }
+                return moved;
+            };
+            if (move(beam - 1, -1, left, right) == 0)
+                beam += move(beam, 1, right, left);
+        }
+    }
+
+    const Recording& recording_;
+    const Parameters& parameters_;
+    SensorModel sensor_;
+    std::vector<const Plane*> planes_;
+    Labels& labels_;
+};
+
+}  // namespace
+
+void completeLabels(std::vector<std::vector<PlaneId>>& labels, const Snapshot& snapshot, const Recording& recording,
+                    const Parameters& parameters)
+{
+    if (parameters.method.estimator != Estimator::Likelihood)
+        return;
+    Labeller labeller(snapshot, recording, parameters, labels);
+    for (std::size_t slice = 0; slice < labels.size(); ++slice)
+        labeller.labelSlice(slice);
+}
+
+}  // namespace planewright
