@@ -272,6 +272,7 @@ struct LikelihoodParameters {
     double mergeGate = 25.0;
     double mergeAngle = 0.01;
     double finalGate = 12.0;
+    double splitSigmas = 3.0;
     double minSolidAngle = 0.0106;
     double stripWidth = 0.12;
     double stripShare = 0.6;
@@ -298,6 +299,9 @@ struct LikelihoodParameters {
                       "Planes that are not side by side merge when both normals are known to this standard deviation."},
             Parameter{"likelihood.final-gate", &LikelihoodParameters::finalGate, Unit::None, Range{1.0, 1000.0}, "",
                       "Segments beyond this chi-square take no part in the last fit."},
+            Parameter{"likelihood.split-sigmas", &LikelihoodParameters::splitSigmas, Unit::None, Range{0.5, 1000.0}, "",
+                      "A plane gives up its worst segments while its reduced chi-square is above 1 by so many "
+                      "standard deviations."},
             Parameter{"likelihood.min-solid-angle", &LikelihoodParameters::minSolidAngle, Unit::None, Range{0.0, 10.0},
                       "", "A plane must fill this solid angle as seen from the laser at least, in steradians."},
             Parameter{"likelihood.strip-width", &LikelihoodParameters::stripWidth, Unit::Metre, Range{0.0, 10.0}, "",

@@ -71,6 +71,7 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
         return;
     mergeTracks(map_, parameters, recorder);
     splitTracks(map_, parameters, recorder);
+    thinTracks(map_, parameters, recorder);
     seedTracks(map_, 0, parameters, recorder);
     joinRemaining(map_, 0, parameters, recorder);
     mergeTracks(map_, parameters, recorder);

@@ -234,6 +234,7 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
                 recorder.decide(DecisionKind::Fit, {idOf(partner, map), idOf(number, map)},
                                 {{"pair_chi2", best, Comparison::Less, parameters.likelihood.apartGate}},
                                 {PlaneRef{plane->id}});
+            plane->ofPair = true;
             grow(*plane, map, parameters, step);
         }
     }

@@ -16,6 +16,9 @@ constexpr double kContent = 2.0;
 /// Mean squared residual of a straight segment at most, beside its scatter: sensors are noisier than told.
 constexpr double kStraightChi = 2.0;
 
+/// Planes of more segments are not thinned out one by one.
+constexpr std::size_t kThinned = 60;
+
 struct Better {
     PlaneTrack* plane = nullptr;
     double chi = 0.0;
@@ -133,6 +136,35 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
         map.rebuild(plane, parameters.noise);
 }
 
+void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const int step = map.slice(map.slices() - 1).step;
+    bool moved = false;
+    for (PlaneTrack& plane : map.planes()) {
+        while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
+            const double freedom = 2.0 * static_cast<double>(plane.members.size()) - 3.0;
+            const double limit = 1.0 + parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedom);
+            const double reduced = plane.estimate.chi() / freedom;
+            if (reduced <= limit)
+                break;
+            const auto worst =
+                std::max_element(plane.members.begin(), plane.members.end(), [&](SegmentNumber a, SegmentNumber b) {
+                    return map.joinChi(plane, a, parameters.noise, parameters.planes.flatness) <
+                           map.joinChi(plane, b, parameters.noise, parameters.planes.flatness);
+                });
+            recorder.decide(DecisionKind::Split, {PlaneRef{plane.id}, idOf(*worst, map)},
+                            {{"reduced_chi2", reduced, Comparison::Greater, limit}}, {PlaneRef{plane.id}});
+            map.segment(*worst).owner = kNoPlane;
+            plane.members.erase(worst);
+            moved = true;
+            if (!map.rebuild(plane, parameters.noise))
+                break;
+        }
+    }
+    if (moved)
+        map.collectMembers(step);
+}
+
 void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const LikelihoodParameters& p = parameters.likelihood;
@@ -145,9 +177,9 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
         const std::vector<Test> tests{
             {"points", static_cast<double>(plane.points), Comparison::GreaterEqual, minPoints},
             {"segments", static_cast<double>(plane.members.size()), Comparison::GreaterEqual,
-             static_cast<double>(parameters.planes.minSegments)},
+             plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSegments)},
             {"slices", static_cast<double>(plane.slices), Comparison::GreaterEqual,
-             static_cast<double>(parameters.planes.minSlices)},
+             plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSlices)},
             {"free_strip_share", narrow ? strip.freeShare : 0.0, Comparison::LessEqual, p.stripShare},
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
             {"incidence", incidenceOf(plane, map), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},

@@ -42,6 +42,7 @@ struct PlaneTrack {
     std::int64_t linearisedAt = 0;  ///< points when it was linearised last
     int slicesUnsolved = 0;         ///< slices added since it was solved last
     std::int64_t comparedAt = 0;    ///< points when it was compared for merging last
+    bool ofPair = false;            ///< made of two facing segments: two slices are enough for it
     int bornStep = 0;
     int changedStep = 0;
     std::uint64_t revision = 0;

@@ -34,6 +34,9 @@ void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
 /// 8): what leaves may make planes of its own.
 void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 
+/// Takes the worst segments out of small planes that explain theirs badly, until they explain the rest well.
+void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
 /// Dissolves planes that are too small, too narrow or not flat.
 void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 
