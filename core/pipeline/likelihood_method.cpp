@@ -75,10 +75,12 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
     seedTracks(map_, 0, parameters, recorder);
     joinRemaining(map_, 0, parameters, recorder);
     mergeTracks(map_, parameters, recorder);
+    thinTracks(map_, parameters, recorder);
     dropUnfounded(map_, parameters, recorder);
     seedPairs(map_, parameters, recorder);
     mergeTracks(map_, parameters, recorder);
     joinRemaining(map_, 0, parameters, recorder);
+    thinTracks(map_, parameters, recorder);
     dropUnfounded(map_, parameters, recorder);
     refineTracks(map_, parameters);
     dropOwnedFromClusters();

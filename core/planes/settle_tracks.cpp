@@ -99,6 +99,17 @@ double incidenceOf(const PlaneTrack& plane, const TrackMap& map)
     return sum / static_cast<double>(plane.points);
 }
 
+/// Degrees of freedom of a plane's χ²: two numbers a segment, less three of the plane.
+double freedomOf(const PlaneTrack& plane)
+{
+    return std::max(1.0, 2.0 * static_cast<double>(plane.members.size()) - 3.0);
+}
+
+double largestReducedChi(const PlaneTrack& plane, const Parameters& parameters)
+{
+    return 1.0 + parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedomOf(plane));
+}
+
 }  // namespace
 
 void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
@@ -142,9 +153,8 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
     bool moved = false;
     for (PlaneTrack& plane : map.planes()) {
         while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
-            const double freedom = 2.0 * static_cast<double>(plane.members.size()) - 3.0;
-            const double limit = 1.0 + parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedom);
-            const double reduced = plane.estimate.chi() / freedom;
+            const double limit = largestReducedChi(plane, parameters);
+            const double reduced = plane.estimate.chi() / freedomOf(plane);
             if (reduced <= limit)
                 break;
             const auto worst =
@@ -181,6 +191,8 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
             {"slices", static_cast<double>(plane.slices), Comparison::GreaterEqual,
              plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSlices)},
             {"free_strip_share", narrow ? strip.freeShare : 0.0, Comparison::LessEqual, p.stripShare},
+            {"reduced_chi2", plane.members.size() <= kThinned ? plane.estimate.chi() / freedomOf(plane) : 0.0,
+             Comparison::LessEqual, largestReducedChi(plane, parameters)},
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
             {"incidence", incidenceOf(plane, map), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };
