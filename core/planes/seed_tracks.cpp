@@ -4,19 +4,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
+#include "core/types/angle.h"
 
 namespace planewright {
 
 namespace {
 
-/// Distances between the slices of a triple that are tried: a fine tilt step gives neighbours too close to tell a
-/// plane's direction.
-constexpr std::array kStrides{1, 2, 4, 8};
+/// Tilts between the slices of a triple that are tried at least [rad]: a fine tilt step gives neighbours too close to
+/// tell a plane's direction.
+constexpr std::array kTiltGaps{0.0, degrees(0.5), degrees(1.0)};
+/// Slices looked back over for them at most: a head that rests gives any number.
+constexpr int kMostSlicesBack = 64;
 /// A plane stops growing after so many slices without a segment that fits.
 constexpr int kEmptySlices = 3;
 /// Segments whose centroids are farther than this from the plane of the two others are no triple [m].
@@ -91,18 +95,42 @@ void visitFree(int place, SegmentNumber facing, const TrackMap& map, Visit visit
     });
 }
 
-/// Hypotheses of three segments of which the last is `newest`; of the smallest stride that gives any.
+/// The nearest slice before one that differs in tilt by so much; −1 where there is none.
+int sliceBefore(int place, double tiltGap, const TrackMap& map)
+{
+    const double tilt = map.slice(place).frame.tilt;
+    for (int before = place - 1; before >= std::max(0, place - kMostSlicesBack); --before) {
+        if (std::abs(map.slice(before).frame.tilt - tilt) >= tiltGap)
+            return before;
+    }
+    return -1;
+}
+
+/// Sine of the angle at which the ray to a segment's centroid meets a plane.
+double incidence(SegmentNumber number, const PlaneEstimate& estimate, const TrackMap& map)
+{
+    const Eigen::Vector3d ray = centroid(number, map) - map.slice(map.segment(number).slice).frame.origin;
+    return std::abs(estimate.normal().dot(ray)) / ray.norm();
+}
+
+/// Hypotheses of three segments of which the last is `newest`; of the smallest gap that gives any.
 void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& parameters,
                   std::vector<Hypothesis>& hypotheses)
 {
     const int place = map.segment(newest).slice;
     const double angle = parameters.likelihood.seedAngle;
-    for (const int stride : kStrides) {
-        if (stride > 1 && stride > map.lookback(place))
+    const double leastIncidence = std::sin(parameters.planes.minIncidence);
+    std::pair tried{-1, -1};
+    for (const double gap : kTiltGaps) {
+        const int middlePlace = sliceBefore(place, gap, map);
+        const int oldestPlace = middlePlace < 0 ? -1 : sliceBefore(middlePlace, gap, map);
+        if (oldestPlace < 0)
             return;
+        if (std::exchange(tried, {middlePlace, oldestPlace}) == std::pair{middlePlace, oldestPlace})
+            continue;
         const std::size_t before = hypotheses.size();
-        visitFree(place - stride, newest, map, [&](SegmentNumber middle) {
-            visitFree(place - 2 * stride, middle, map, [&](SegmentNumber oldest) {
+        visitFree(middlePlace, newest, map, [&](SegmentNumber middle) {
+            visitFree(oldestPlace, middle, map, [&](SegmentNumber oldest) {
                 if (!roughlyCoplanar(oldest, middle, newest, map))
                     return;
                 Hypothesis hypothesis;
@@ -111,7 +139,8 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
                     return;
                 hypothesis.chi = hypothesis.estimate.chi();
                 hypothesis.normalVariance = hypothesis.estimate.normalVariance();
-                if (hypothesis.chi >= parameters.likelihood.seedGate || hypothesis.normalVariance >= angle * angle)
+                if (hypothesis.chi >= parameters.likelihood.seedGate || hypothesis.normalVariance >= angle * angle ||
+                    incidence(newest, hypothesis.estimate, map) < leastIncidence)
                     return;
                 hypothesis.support =
                     std::min({map.segment(oldest).statistics.points, map.segment(middle).statistics.points,
@@ -219,7 +248,8 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
                     return;
                 PlaneEstimate two;
                 const std::array pair{other, number};
-                if (fitSegments(pair, map, parameters.noise, two) && two.chi() < best) {
+                if (fitSegments(pair, map, parameters.noise, two) && two.chi() < best &&
+                    incidence(number, two, map) >= std::sin(parameters.planes.minIncidence)) {
                     best = two.chi();
                     partner = other;
                     estimate = two;
