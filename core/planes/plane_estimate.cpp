@@ -151,18 +151,30 @@ bool PlaneEstimate::solve()
 double PlaneEstimate::joinChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
                               double floor) const
 {
+    return chiOf(seen, segment, noise, floor, covariance_);
+}
+
+double PlaneEstimate::residualChi(const PlaneInSlice& seen, const SegmentStatistics& segment,
+                                  const NoiseParameters& noise, double floor) const
+{
+    return chiOf(seen, segment, noise, floor, Eigen::Matrix3d::Zero());
+}
+
+double PlaneEstimate::chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
+                            double floor, const Eigen::Matrix3d& covariance) const
+{
     const Row row = rowOf(seen, segment);
     const Weights weights = weightsOf(seen, segment, row, noise);
     const double distance = row.distance + row.place.dot(step_);
     const double inclination = row.inclination + row.slope.dot(step_);
-    const Eigen::Vector3d spread = covariance_ * row.place;
+    const Eigen::Vector3d spread = covariance * row.place;
     const double variance = commonPitchVariance(noise);
     const double slopeFloor = 4.0 * floor / std::max(segment.length(), 1e-6);
     const double place =
         1.0 / weights.place + variance * row.pitchPlace * row.pitchPlace + row.place.dot(spread) + floor * floor;
     const double both = variance * row.pitchPlace * row.pitchSlope + row.slope.dot(spread);
     const double slope = 1.0 / weights.slope + variance * row.pitchSlope * row.pitchSlope +
-                         row.slope.dot(covariance_ * row.slope) + slopeFloor * slopeFloor;
+                         row.slope.dot(covariance * row.slope) + slopeFloor * slopeFloor;
     return (slope * distance * distance - 2.0 * both * distance * inclination + place * inclination * inclination) /
            (place * slope - both * both);
 }

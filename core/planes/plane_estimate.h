@@ -80,10 +80,17 @@ public:
     double joinChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
                    double floor) const;
 
+    /// The same without the plane's own variance: for a segment that is already in it.
+    double residualChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
+                       double floor) const;
+
     /// χ² (3 degrees of freedom) of two planes being one, with a flatness floor [m] over an extent [m].
     double mergeChi(const PlaneEstimate& other, double floor, double extent) const;
 
 private:
+    double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise, double floor,
+                 const Eigen::Matrix3d& covariance) const;
+
     Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();  // the estimate
     double distance_ = 0.0;
     Eigen::Vector3d start_ = Eigen::Vector3d::UnitZ();  // where it was linearised

@@ -105,6 +105,18 @@ double freedomOf(const PlaneTrack& plane)
     return std::max(1.0, 2.0 * static_cast<double>(plane.members.size()) - 3.0);
 }
 
+/// Mean of its segments' squared residuals, beside what real walls stray.
+double reducedChi(PlaneTrack& plane, TrackMap& map, const Parameters& parameters)
+{
+    double chi = 0.0;
+    for (const SegmentNumber number : plane.members) {
+        const TrackedSegment& s = map.segment(number);
+        chi += plane.estimate.residualChi(map.seenIn(plane, s.slice), s.statistics, parameters.noise,
+                                          parameters.planes.flatness);
+    }
+    return chi / freedomOf(plane);
+}
+
 double largestReducedChi(const PlaneTrack& plane, const Parameters& parameters)
 {
     return 1.0 + parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedomOf(plane));
@@ -154,7 +166,7 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
     for (PlaneTrack& plane : map.planes()) {
         while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
             const double limit = largestReducedChi(plane, parameters);
-            const double reduced = plane.estimate.chi() / freedomOf(plane);
+            const double reduced = reducedChi(plane, map, parameters);
             if (reduced <= limit)
                 break;
             const auto worst =
@@ -181,7 +193,7 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
     const double beamSolidAngle = map.bearingStep() * map.meanTiltStep();
     const double minPoints = std::max(12.0, p.minSolidAngle / std::max(beamSolidAngle, 1e-9));
     std::vector<PlaneId> unfounded;
-    for (const PlaneTrack& plane : map.planes()) {
+    for (PlaneTrack& plane : map.planes()) {
         const Strip strip = stripOf(plane, map);
         const bool narrow = strip.width < p.stripWidth && strip.freeShare > p.stripShare;
         const std::vector<Test> tests{
@@ -191,7 +203,7 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
             {"slices", static_cast<double>(plane.slices), Comparison::GreaterEqual,
              plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSlices)},
             {"free_strip_share", narrow ? strip.freeShare : 0.0, Comparison::LessEqual, p.stripShare},
-            {"reduced_chi2", plane.members.size() <= kThinned ? plane.estimate.chi() / freedomOf(plane) : 0.0,
+            {"reduced_chi2", plane.members.size() <= kThinned ? reducedChi(plane, map, parameters) : 0.0,
              Comparison::LessEqual, largestReducedChi(plane, parameters)},
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
             {"incidence", incidenceOf(plane, map), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
