@@ -18,7 +18,9 @@ namespace {
 
 /// Tilts between the slices of a triple that are tried at least [rad]: a fine tilt step gives neighbours too close to
 /// tell a plane's direction.
-constexpr std::array kTiltGaps{0.0, degrees(0.5), degrees(1.0)};
+constexpr std::array kTiltGaps{degrees(0.5), degrees(1.0)};
+/// The smallest tilt between them, in standard deviations of the pitch: nearer ones only tell its noise.
+constexpr double kTiltGapSigmas = 2.0;
 /// Slices looked back over for them at most: a head that rests gives any number.
 constexpr int kMostSlicesBack = 64;
 /// A plane stops growing after so many slices without a segment that fits.
@@ -121,7 +123,7 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
     const double angle = parameters.likelihood.seedAngle;
     const double leastIncidence = std::sin(parameters.planes.minIncidence);
     std::pair tried{-1, -1};
-    for (const double gap : kTiltGaps) {
+    for (const double gap : {kTiltGapSigmas * parameters.noise.pitch, kTiltGaps[0], kTiltGaps[1]}) {
         const int middlePlace = sliceBefore(place, gap, map);
         const int oldestPlace = middlePlace < 0 ? -1 : sliceBefore(middlePlace, gap, map);
         if (oldestPlace < 0)
