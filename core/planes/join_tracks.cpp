@@ -102,7 +102,7 @@ std::vector<SegmentNumber> joinTracks(TrackMap& map, const Parameters& parameter
         together.clear();
         for (; i < joined.size() && joined[i].first == id; ++i)
             together.push_back(joined[i].second);
-        map.join(map.plane(id), together, slice.step, parameters.noise);
+        map.join(map.plane(id), together, slice.step, parameters);
     }
     return left;
 }
@@ -125,7 +125,7 @@ void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, 
             if (best.plane == nullptr)
                 continue;
             explain(number, best, map, recorder);
-            map.join(*best.plane, std::span{&number, 1}, step, parameters.noise);
+            map.join(*best.plane, std::span{&number, 1}, step, parameters);
         }
     }
 }

@@ -92,7 +92,7 @@ void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
                 last = map.segment(number).slice;
             }
             kept.lineage = {Lineage::Kind::Merged, {a.id, b.id}};
-            map.rebuild(kept, parameters.noise);
+            map.rebuild(kept, parameters);
             map.touch(kept, step);
             kept.comparedAt = 0;
             ++recorder.counts().merges;

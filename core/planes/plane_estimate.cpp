@@ -14,8 +14,8 @@ namespace planewright {
 
 namespace {
 
-/// No variance across a line is taken for smaller, in proportion: a plane that holds the slice itself has none.
-constexpr double kLeastSteepness = 1e-6;
+/// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact.
+constexpr double kLeastSteepness = 2.7e-3;
 
 /// Derivatives of a segment's distance to the plane, at its centroid and along it, by the unknowns.
 struct Row {
@@ -60,6 +60,12 @@ Weights weightsOf(const PlaneInSlice& seen, const SegmentStatistics& s, const Ro
     return {s.offsetInformation / steepness, s.slopeInformation / steepness};
 }
 
+/// What a segment's slope may be off [rad] where its ends may be off by twice the floor [m].
+double slopeFloorOf(const SegmentStatistics& segment, double floor)
+{
+    return 4.0 * floor / std::max(segment.length(), 1e-6);
+}
+
 double commonPitchVariance(const NoiseParameters& noise)
 {
     return noise.pitchCommon ? noise.pitch * noise.pitch : 0.0;
@@ -98,7 +104,7 @@ PlaneInSlice PlaneEstimate::inSlice(const SliceFrame& frame) const
 }
 
 void PlaneEstimate::accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,
-                               const NoiseParameters& noise, double sign)
+                               const NoiseParameters& noise, double floor, double sign)
 {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
@@ -108,7 +114,10 @@ void PlaneEstimate::accumulate(const PlaneInSlice& seen, std::span<const Segment
     double pitchGradient = 0.0;
     for (const SegmentStatistics* segment : segments) {
         const Row row = rowOf(seen, *segment);
-        const Weights weights = weightsOf(seen, *segment, row, noise);
+        const Weights noiseWeights = weightsOf(seen, *segment, row, noise);
+        const double slopeFloor = slopeFloorOf(*segment, floor);
+        const Weights weights{1.0 / (1.0 / noiseWeights.place + floor * floor),
+                              1.0 / (1.0 / noiseWeights.slope + slopeFloor * slopeFloor)};
         const Eigen::Vector3d place = weights.place * row.place;
         const Eigen::Vector3d slope = weights.slope * row.slope;
         information += place * row.place.transpose() + slope * row.slope.transpose();
@@ -169,7 +178,7 @@ double PlaneEstimate::chiOf(const PlaneInSlice& seen, const SegmentStatistics& s
     const double inclination = row.inclination + row.slope.dot(step_);
     const Eigen::Vector3d spread = covariance * row.place;
     const double variance = commonPitchVariance(noise);
-    const double slopeFloor = 4.0 * floor / std::max(segment.length(), 1e-6);
+    const double slopeFloor = slopeFloorOf(segment, floor);
     const double place =
         1.0 / weights.place + variance * row.pitchPlace * row.pitchPlace + row.place.dot(spread) + floor * floor;
     const double both = variance * row.pitchPlace * row.pitchSlope + row.slope.dot(spread);

@@ -68,9 +68,10 @@ public:
 
     PlaneInSlice inSlice(const SliceFrame& frame) const;
 
-    /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together.
+    /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together. A floor [m] is what a segment may be
+    /// off as a whole, beside its noise: it keeps few segments from telling more than a real sensor can.
     void accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,
-                    const NoiseParameters& noise, double sign);
+                    const NoiseParameters& noise, double floor, double sign);
 
     /// Moves to the most likely plane. False where the segments do not determine one.
     bool solve();

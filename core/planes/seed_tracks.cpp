@@ -47,7 +47,7 @@ Eigen::Vector3d centroid(SegmentNumber number, const TrackMap& map)
 }
 
 /// The most likely plane of segments of different slices; none where they do not determine one.
-bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, const NoiseParameters& noise,
+bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, const Parameters& parameters,
                  PlaneEstimate& estimate)
 {
     const SegmentNumber a = numbers.front();
@@ -66,7 +66,8 @@ bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, co
         for (const SegmentNumber number : numbers) {
             const TrackedSegment& s = map.segment(number);
             const SegmentStatistics* one = &s.statistics;
-            estimate.accumulate(estimate.inSlice(map.slice(s.slice).frame), std::span{&one, 1}, noise, 1.0);
+            estimate.accumulate(estimate.inSlice(map.slice(s.slice).frame), std::span{&one, 1}, parameters.noise,
+                                parameters.planes.flatness, 1.0);
         }
         if (!estimate.solve())
             return false;
@@ -137,7 +138,7 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
                     return;
                 Hypothesis hypothesis;
                 hypothesis.segments = {oldest, middle, newest};
-                if (!fitSegments(hypothesis.segments, map, parameters.noise, hypothesis.estimate))
+                if (!fitSegments(hypothesis.segments, map, parameters, hypothesis.estimate))
                     return;
                 hypothesis.chi = hypothesis.estimate.chi();
                 hypothesis.normalVariance = hypothesis.estimate.normalVariance();
@@ -178,7 +179,7 @@ bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Pa
     }
     if (fitting.empty())
         return false;
-    map.join(plane, fitting, step, parameters.noise);
+    map.join(plane, fitting, step, parameters);
     return true;
 }
 
@@ -196,7 +197,7 @@ void grow(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, int st
     for (int place = last + 1; place < map.slices() && empty < kEmptySlices; ++place)
         empty = growInto(plane, place, -1, map, parameters, step) ? 0 : empty + 1;
     plane.estimate.solve();
-    map.rebuild(plane, parameters.noise);
+    map.rebuild(plane, parameters);
 }
 
 }  // namespace
@@ -217,7 +218,7 @@ void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, Ste
         const auto& [a, b, c] = hypothesis.segments;
         if (map.segment(a).owner != kNoPlane || map.segment(b).owner != kNoPlane || map.segment(c).owner != kNoPlane)
             continue;
-        PlaneTrack* plane = map.makePlane({a, b, c}, hypothesis.estimate, step, parameters.noise);
+        PlaneTrack* plane = map.makePlane({a, b, c}, hypothesis.estimate, step, parameters);
         if (plane == nullptr)
             continue;
         if (recorder.explains())
@@ -250,7 +251,7 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
                     return;
                 PlaneEstimate two;
                 const std::array pair{other, number};
-                if (fitSegments(pair, map, parameters.noise, two) && two.chi() < best &&
+                if (fitSegments(pair, map, parameters, two) && two.chi() < best &&
                     incidence(number, two, map) >= std::sin(parameters.planes.minIncidence)) {
                     best = two.chi();
                     partner = other;
@@ -259,7 +260,7 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
             });
             if (partner < 0)
                 continue;
-            PlaneTrack* plane = map.makePlane({partner, number}, estimate, step, parameters.noise);
+            PlaneTrack* plane = map.makePlane({partner, number}, estimate, step, parameters);
             if (plane == nullptr)
                 continue;
             if (recorder.explains())

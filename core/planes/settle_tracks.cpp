@@ -156,7 +156,7 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
         return;
     map.collectMembers(step);
     for (PlaneTrack& plane : map.planes())
-        map.rebuild(plane, parameters.noise);
+        map.rebuild(plane, parameters);
 }
 
 void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
@@ -179,7 +179,7 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
             map.segment(*worst).owner = kNoPlane;
             plane.members.erase(worst);
             moved = true;
-            if (!map.rebuild(plane, parameters.noise))
+            if (!map.rebuild(plane, parameters))
                 break;
         }
     }
@@ -220,8 +220,8 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
 void refineTracks(TrackMap& map, const Parameters& parameters)
 {
     for (PlaneTrack& plane : map.planes()) {
-        map.rebuild(plane, parameters.noise);
-        map.rebuild(plane, parameters.noise, [&](SegmentNumber number) {
+        map.rebuild(plane, parameters);
+        map.rebuild(plane, parameters.noise, 0.0, [&](SegmentNumber number) {
             return map.joinChi(plane, number, parameters.noise, parameters.planes.flatness) <
                    parameters.likelihood.finalGate;
         });

@@ -93,13 +93,13 @@ void TrackMap::touch(PlaneTrack& plane, int step)
     plane.published = nullptr;
 }
 
-bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise)
+bool TrackMap::rebuild(PlaneTrack& plane, const Parameters& parameters)
 {
-    return rebuild(plane, noise, [](SegmentNumber) { return true; });
+    return rebuild(plane, parameters.noise, parameters.planes.flatness, [](SegmentNumber) { return true; });
 }
 
 PlaneTrack* TrackMap::makePlane(std::vector<SegmentNumber> members, const PlaneEstimate& start, int step,
-                                const NoiseParameters& noise)
+                                const Parameters& parameters)
 {
     std::sort(members.begin(), members.end());
     PlaneTrack plane;
@@ -115,7 +115,7 @@ PlaneTrack* TrackMap::makePlane(std::vector<SegmentNumber> members, const PlaneE
         last = s.slice;
     }
     plane.lastSlice = last;
-    if (!rebuild(plane, noise))
+    if (!rebuild(plane, parameters))
         return nullptr;
     ++nextPlane_;
     for (const SegmentNumber number : plane.members)
@@ -124,7 +124,7 @@ PlaneTrack* TrackMap::makePlane(std::vector<SegmentNumber> members, const PlaneE
     return &planes_.back();
 }
 
-void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, int step, const NoiseParameters& noise)
+void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, int step, const Parameters& parameters)
 {
     const int place = segment(numbers.front()).slice;
     const PlaneInSlice& seen = seenIn(plane, place);
@@ -135,7 +135,7 @@ void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, i
         group_.push_back(&segment(*member).statistics);
     // Segments of one slice share its pitch error: those that are in already are taken out and put back with the new.
     if (!group_.empty())
-        plane.estimate.accumulate(seen, group_, noise, -1.0);
+        plane.estimate.accumulate(seen, group_, parameters.noise, parameters.planes.flatness, -1.0);
     else
         ++plane.slices;
     for (const SegmentNumber number : numbers) {
@@ -144,7 +144,7 @@ void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, i
         plane.points += segment(number).statistics.points;
         plane.members.insert(std::upper_bound(plane.members.begin(), plane.members.end(), number), number);
     }
-    plane.estimate.accumulate(seen, group_, noise, 1.0);
+    plane.estimate.accumulate(seen, group_, parameters.noise, parameters.planes.flatness, 1.0);
     plane.lastSlice = std::max(plane.lastSlice, place);
     touch(plane, step);
     if (++plane.slicesUnsolved >= kSolveEvery || plane.slices <= kYoungSlices) {
@@ -152,7 +152,7 @@ void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, i
         plane.slicesUnsolved = 0;
         if (plane.points > kRelineariseGrowth * plane.linearisedAt ||
             plane.estimate.angleFromLinearisation() > kRelineariseAngle)
-            rebuild(plane, noise);
+            rebuild(plane, parameters);
     }
 }
 

@@ -105,16 +105,17 @@ public:
 
     /// Makes a plane of these segments, which belong to none. None where they do not determine one.
     PlaneTrack* makePlane(std::vector<SegmentNumber> members, const PlaneEstimate& start, int step,
-                          const NoiseParameters& noise);
+                          const Parameters& parameters);
 
     /// Adds segments of one slice to a plane; it is solved anew when due.
-    void join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, int step, const NoiseParameters& noise);
+    void join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, int step, const Parameters& parameters);
 
-    /// Works the plane out anew from its members, linearised where it is now; twice where asked for. Members that are
-    /// not in it by `counts` take no part in the fit.
+    /// Works the plane out anew from its members, linearised where it is now, with a floor [m] of what a segment may be
+    /// off as a whole. Members for which `counts` does not hold take no part in the fit.
     template <class Counts>
-    bool rebuild(PlaneTrack& plane, const NoiseParameters& noise, Counts counts);
-    bool rebuild(PlaneTrack& plane, const NoiseParameters& noise);
+    bool rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts);
+    /// The same with all members and the flatness of real walls as floor, as planes are kept while they grow.
+    bool rebuild(PlaneTrack& plane, const Parameters& parameters);
 
     /// Gives planes the segments that say they are theirs, after owners were changed; planes without any disappear.
     void collectMembers(int step);
@@ -138,7 +139,7 @@ private:
 };
 
 template <class Counts>
-bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, Counts counts)
+bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts)
 {
     PlaneEstimate estimate(plane.estimate.normal(), plane.estimate.distance());
     for (std::size_t i = 0; i < plane.members.size();) {
@@ -149,7 +150,7 @@ bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, Counts c
                 group_.push_back(&segment(plane.members[i]).statistics);
         }
         if (!group_.empty())
-            estimate.accumulate(estimate.inSlice(slice(place).frame), group_, noise, 1.0);
+            estimate.accumulate(estimate.inSlice(slice(place).frame), group_, noise, floor, 1.0);
     }
     if (!estimate.solve())
         return false;

@@ -98,7 +98,7 @@ PlaneEstimate estimateOf(const std::vector<SeenSlice>& slices, const NoiseParame
                          PlaneEstimate estimate = PlaneEstimate(kNormal, kDistance))
 {
     for (const SeenSlice& slice : slices)
-        estimate.accumulate(estimate.inSlice(slice.frame), slice.pointers(), noise, 1.0);
+        estimate.accumulate(estimate.inSlice(slice.frame), slice.pointers(), noise, 0.0, 1.0);
     return estimate;
 }
 
@@ -219,7 +219,7 @@ void PlaneEstimateTest::whatIsTakenAwayLeavesNoTrace()
     PlaneEstimate estimate = estimateOf(slices, noise);
 
     for (std::size_t i = 8; i < slices.size(); ++i)
-        estimate.accumulate(estimate.inSlice(slices[i].frame), slices[i].pointers(), noise, -1.0);
+        estimate.accumulate(estimate.inSlice(slices[i].frame), slices[i].pointers(), noise, 0.0, -1.0);
 
     QVERIFY(without.solve() && estimate.solve());
     QVERIFY(estimate.normal().isApprox(without.normal(), 1e-9));
@@ -231,7 +231,7 @@ void PlaneEstimateTest::oneSegmentDeterminesNoPlane()
     SeenSlice slice = seenAt(degrees(40.0), kNormal, kDistance, 0.0);
     slice.segments.pop_back();
     PlaneEstimate estimate(kNormal, kDistance);
-    estimate.accumulate(estimate.inSlice(slice.frame), slice.pointers(), noiseOf(0.001), 1.0);
+    estimate.accumulate(estimate.inSlice(slice.frame), slice.pointers(), noiseOf(0.001), 0.0, 1.0);
 
     QVERIFY(!estimate.solve() || estimate.normalVariance() > 1.0);
 }
