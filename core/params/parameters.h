@@ -267,6 +267,7 @@ struct LikelihoodParameters {
     double joinGate = 25.0;
     double apartGate = 6.0;
     double knownAngle = 0.03;
+    double growthFloor = 0.0;
     double seedGate = 11.3;
     double seedAngle = 0.2;
     double mergeGate = 25.0;
@@ -288,6 +289,9 @@ struct LikelihoodParameters {
             Parameter{"likelihood.known-angle", &LikelihoodParameters::knownAngle, Unit::Angle,
                       Range{0.0, degrees(45.0)}, "",
                       "A plane is joined without facing it when its normal is known to this standard deviation."},
+            Parameter{"likelihood.growth-floor", &LikelihoodParameters::growthFloor, Unit::Metre, Range{0.0, 0.5}, "",
+                      "What a segment may be off as a whole, beside its noise, while its plane grows; the last fit "
+                      "takes none."},
             Parameter{"likelihood.seed-gate", &LikelihoodParameters::seedGate, Unit::None, Range{0.1, 1000.0}, "",
                       "Three segments make a plane below this chi-square of 3 degrees of freedom."},
             Parameter{"likelihood.seed-angle", &LikelihoodParameters::seedAngle, Unit::Angle, Range{0.0, degrees(45.0)},

@@ -51,13 +51,17 @@ const std::vector<Preset>& sensorPresets()
          {{"noise.range-constant", "0.01"},
           {"noise.range-proportional", "0.005"},
           {"noise.bearing", "0.02"},
-          {"noise.pitch", "0.15"}}},
+          {"noise.pitch", "0.15"},
+          {"planes.flatness", "0.005"},
+          {"likelihood.growth-floor", "0.001"}}},
         {"sick-lms200",
          "SICK LMS 200, 80 m",
          {{"noise.range-constant", "0.01"},
           {"noise.range-proportional", "0.0005"},
           {"noise.bearing", "0.02"},
-          {"noise.pitch", "0.1"}}},
+          {"noise.pitch", "0.1"},
+          {"planes.flatness", "0.005"},
+          {"likelihood.growth-floor", "0.001"}}},
     };
     return presets;
 }

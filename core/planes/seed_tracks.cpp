@@ -66,8 +66,8 @@ bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, co
         for (const SegmentNumber number : numbers) {
             const TrackedSegment& s = map.segment(number);
             const SegmentStatistics* one = &s.statistics;
-            estimate.accumulate(estimate.inSlice(map.slice(s.slice).frame), std::span{&one, 1}, parameters.noise,
-                                parameters.planes.flatness, 1.0);
+            estimate.accumulate(estimate.inSlice(map.slice(s.slice).frame), std::span{&one, 1}, parameters.noise, 0.0,
+                                1.0);
         }
         if (!estimate.solve())
             return false;

@@ -36,6 +36,7 @@ struct PlaneTrack {
     PlaneId id = kNoPlane;
     PlaneEstimate estimate;
     std::vector<SegmentNumber> members;  ///< in order
+    int fitted = 0;                      ///< of these, how many the last fit took
     std::int64_t points = 0;
     int slices = 0;                 ///< that its members are of
     int lastSlice = -1;             ///< place of the last of them
@@ -114,7 +115,7 @@ public:
     /// off as a whole. Members for which `counts` does not hold take no part in the fit.
     template <class Counts>
     bool rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts);
-    /// The same with all members and the flatness of real walls as floor, as planes are kept while they grow.
+    /// The same with all members and the floor of growing planes (`likelihood.growth-floor`).
     bool rebuild(PlaneTrack& plane, const Parameters& parameters);
 
     /// Gives planes the segments that say they are theirs, after owners were changed; planes without any disappear.
@@ -142,6 +143,7 @@ template <class Counts>
 bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts)
 {
     PlaneEstimate estimate(plane.estimate.normal(), plane.estimate.distance());
+    int fitted = 0;
     for (std::size_t i = 0; i < plane.members.size();) {
         const int place = segment(plane.members[i]).slice;
         group_.clear();
@@ -149,12 +151,14 @@ bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double f
             if (counts(plane.members[i]))
                 group_.push_back(&segment(plane.members[i]).statistics);
         }
+        fitted += static_cast<int>(group_.size());
         if (!group_.empty())
             estimate.accumulate(estimate.inSlice(slice(place).frame), group_, noise, floor, 1.0);
     }
     if (!estimate.solve())
         return false;
     plane.estimate = estimate;
+    plane.fitted = fitted;
     plane.linearisedAt = plane.points;
     plane.slicesUnsolved = 0;
     plane.seenIn = -1;

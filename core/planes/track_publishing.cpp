@@ -45,7 +45,7 @@ Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map)
 
 double meanErrorOf(const PlaneTrack& plane)
 {
-    const double freedom = std::max(1.0, 2.0 * static_cast<double>(plane.members.size()) - 3.0);
+    const double freedom = std::max(1.0, 2.0 * plane.fitted - 3.0);
     return std::max(0.0, plane.estimate.chi()) / freedom;
 }
 
@@ -96,7 +96,8 @@ std::shared_ptr<const Plane> publishedPlane(PlaneTrack& plane, const TrackMap& m
     shown->rms = rmsOf(plane, map);
     makeCanonical(shown->normal, shown->distance);
     shown->tangents = plane.estimate.tangents();
-    shown->covariance = plane.estimate.covariance();
+    // Where the segments scatter more than their noise tells, so does the plane.
+    shown->covariance = std::max(1.0, shown->fittingError) * plane.estimate.covariance();
     shown->segments.reserve(plane.members.size());
     for (const SegmentNumber number : plane.members)
         shown->segments.push_back(idOf(number, map));
