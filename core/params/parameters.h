@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <tuple>
@@ -19,6 +20,7 @@ struct NoiseParameters {
     double bearing = degrees(0.02);
     double pitch = degrees(0.084);
     bool pitchCommon = true;
+    double systematic = 0.0;
 
     /// Variance σ_ρ² of a range [m²]: the squares of the constant and of the proportional part.
     double rangeVariance(double range) const
@@ -39,6 +41,9 @@ struct NoiseParameters {
                       "Standard deviation of a beam's bearing."},
             Parameter{"noise.pitch", &NoiseParameters::pitch, Unit::Angle, Range{0.0, degrees(5.0)}, "sigma_phi",
                       "Standard deviation of the measured pitch of a slice."},
+            Parameter{"noise.systematic", &NoiseParameters::systematic, Unit::Metre, Range{0.0, 0.5}, "",
+                      "What a slice's ranges may be off together, beside the noise of each; only planes by likelihood "
+                      "allow for it."},
             Parameter{"noise.pitch-common", &NoiseParameters::pitchCommon, Unit::Switch, Range{0.0, 1.0}, "",
                       "The pitch error is one for all points of a slice; otherwise each point has its own."},
         };
@@ -267,7 +272,6 @@ struct LikelihoodParameters {
     double joinGate = 25.0;
     double apartGate = 6.0;
     double knownAngle = 0.03;
-    double growthFloor = 0.0;
     double seedGate = 11.3;
     double seedAngle = 0.2;
     double mergeGate = 25.0;
@@ -289,9 +293,6 @@ struct LikelihoodParameters {
             Parameter{"likelihood.known-angle", &LikelihoodParameters::knownAngle, Unit::Angle,
                       Range{0.0, degrees(45.0)}, "",
                       "A plane is joined without facing it when its normal is known to this standard deviation."},
-            Parameter{"likelihood.growth-floor", &LikelihoodParameters::growthFloor, Unit::Metre, Range{0.0, 0.5}, "",
-                      "What a segment may be off as a whole, beside its noise, while its plane grows; the last fit "
-                      "takes none."},
             Parameter{"likelihood.seed-gate", &LikelihoodParameters::seedGate, Unit::None, Range{0.1, 1000.0}, "",
                       "Three segments make a plane below this chi-square of 3 degrees of freedom."},
             Parameter{"likelihood.seed-angle", &LikelihoodParameters::seedAngle, Unit::Angle, Range{0.0, degrees(45.0)},
@@ -351,6 +352,13 @@ struct Parameters {
     PlaneParameters planes;
     LikelihoodParameters likelihood;
     ScheduleParameters schedule;
+
+    /// How far a segment may be off a plane as a whole [m]: real walls are not flat, and scanners err together.
+    double flatnessFloor() const
+    {
+        constexpr double kSystematicSigmas = 3.0;
+        return std::max(planes.flatness, kSystematicSigmas * noise.systematic);
+    }
 
     /// The parts in the order in which people see them.
     static constexpr auto parts()

@@ -52,16 +52,14 @@ const std::vector<Preset>& sensorPresets()
           {"noise.range-proportional", "0.005"},
           {"noise.bearing", "0.02"},
           {"noise.pitch", "0.15"},
-          {"planes.flatness", "0.005"},
-          {"likelihood.growth-floor", "0.001"}}},
+          {"noise.systematic", "0.0015"}}},
         {"sick-lms200",
          "SICK LMS 200, 80 m",
          {{"noise.range-constant", "0.01"},
           {"noise.range-proportional", "0.0005"},
           {"noise.bearing", "0.02"},
           {"noise.pitch", "0.1"},
-          {"planes.flatness", "0.005"},
-          {"likelihood.growth-floor", "0.001"}}},
+          {"noise.systematic", "0.0015"}}},
     };
     return presets;
 }

@@ -93,7 +93,7 @@ private:
         const Plane& plane = *planes_[static_cast<std::size_t>(id)];
         Eigen::Vector3d row;
         row << plane.tangents.transpose() * ray.point, -1.0;
-        const double floor = parameters_.planes.flatness;
+        const double floor = parameters_.flatnessFloor();
         const double variance =
             plane.normal.dot(ray.covariance * plane.normal) + row.dot(plane.covariance * row) + floor * floor;
         return std::abs(plane.normal.dot(ray.point) - plane.distance) / std::sqrt(variance);

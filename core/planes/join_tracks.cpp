@@ -42,7 +42,7 @@ void considerNeighbours(SegmentNumber number, int from, int to, TrackMap& map, c
         map.visitOverlaps(place, first, last, kOverlapMargin, [&](SegmentNumber other) {
             const PlaneId owner = map.segment(other).owner;
             if (owner != kNoPlane)
-                consider(map.plane(owner), number, map, parameters, parameters.planes.flatness,
+                consider(map.plane(owner), number, map, parameters, parameters.flatnessFloor(),
                          parameters.likelihood.joinGate, best);
         });
         if (best.plane != nullptr && best.chi < kCertain)
@@ -57,7 +57,7 @@ void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parame
     const double variance = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
     for (PlaneTrack& plane : map.planes()) {
         if (std::abs(place - plane.lastSlice) <= kSightSlices && plane.estimate.normalVariance() < variance)
-            consider(plane, number, map, parameters, 0.5 * parameters.planes.flatness, parameters.likelihood.apartGate,
+            consider(plane, number, map, parameters, 0.5 * parameters.flatnessFloor(), parameters.likelihood.apartGate,
                      best);
     }
 }

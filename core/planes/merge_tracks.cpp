@@ -57,7 +57,7 @@ void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
                 ++j;
                 continue;
             }
-            const double chi = a.estimate.mergeChi(b.estimate, 0.5 * parameters.planes.flatness, 1.0);
+            const double chi = a.estimate.mergeChi(b.estimate, 0.5 * parameters.flatnessFloor(), 1.0);
             if (!(chi < kNearFactor * gate)) {
                 ++j;
                 continue;

@@ -174,7 +174,7 @@ bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Pa
                               [&](SegmentNumber facing) { faces = faces || map.segment(facing).owner == plane.id; });
         }
         if (faces &&
-            map.joinChi(plane, number, parameters.noise, parameters.planes.flatness) < parameters.likelihood.joinGate)
+            map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor()) < parameters.likelihood.joinGate)
             fitting.push_back(number);
     }
     if (fitting.empty())

@@ -36,7 +36,7 @@ Better bestAround(SegmentNumber number, TrackMap& map, const Parameters& paramet
             if (owner == kNoPlane || owner == s.owner || (best.plane != nullptr && best.plane->id == owner))
                 return;
             PlaneTrack& plane = map.plane(owner);
-            const double chi = map.joinChi(plane, number, parameters.noise, parameters.planes.flatness);
+            const double chi = map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor());
             if (best.plane == nullptr || chi < best.chi)
                 best = {&plane, chi};
         });
@@ -112,7 +112,7 @@ double reducedChi(PlaneTrack& plane, TrackMap& map, const Parameters& parameters
     for (const SegmentNumber number : plane.members) {
         const TrackedSegment& s = map.segment(number);
         chi += plane.estimate.residualChi(map.seenIn(plane, s.slice), s.statistics, parameters.noise,
-                                          parameters.planes.flatness);
+                                          parameters.flatnessFloor());
     }
     return chi / freedomOf(plane);
 }
@@ -132,7 +132,7 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
         const PlaneId owner = map.segment(number).owner;
         if (owner == kNoPlane)
             continue;
-        const double chi = map.joinChi(map.plane(owner), number, parameters.noise, parameters.planes.flatness);
+        const double chi = map.joinChi(map.plane(owner), number, parameters.noise, parameters.flatnessFloor());
         if (chi <= kContent)
             continue;
         const Better better = bestAround(number, map, parameters);
@@ -171,8 +171,8 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
                 break;
             const auto worst =
                 std::max_element(plane.members.begin(), plane.members.end(), [&](SegmentNumber a, SegmentNumber b) {
-                    return map.joinChi(plane, a, parameters.noise, parameters.planes.flatness) <
-                           map.joinChi(plane, b, parameters.noise, parameters.planes.flatness);
+                    return map.joinChi(plane, a, parameters.noise, parameters.flatnessFloor()) <
+                           map.joinChi(plane, b, parameters.noise, parameters.flatnessFloor());
                 });
             recorder.decide(DecisionKind::Split, {PlaneRef{plane.id}, idOf(*worst, map)},
                             {{"reduced_chi2", reduced, Comparison::Greater, limit}}, {PlaneRef{plane.id}});
@@ -222,7 +222,7 @@ void refineTracks(TrackMap& map, const Parameters& parameters)
     for (PlaneTrack& plane : map.planes()) {
         map.rebuild(plane, parameters);
         map.rebuild(plane, parameters.noise, 0.0, [&](SegmentNumber number) {
-            return map.joinChi(plane, number, parameters.noise, parameters.planes.flatness) <
+            return map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor()) <
                    parameters.likelihood.finalGate;
         });
     }

@@ -95,7 +95,7 @@ void TrackMap::touch(PlaneTrack& plane, int step)
 
 bool TrackMap::rebuild(PlaneTrack& plane, const Parameters& parameters)
 {
-    return rebuild(plane, parameters.noise, parameters.likelihood.growthFloor, [](SegmentNumber) { return true; });
+    return rebuild(plane, parameters.noise, parameters.noise.systematic, [](SegmentNumber) { return true; });
 }
 
 PlaneTrack* TrackMap::makePlane(std::vector<SegmentNumber> members, const PlaneEstimate& start, int step,
@@ -135,7 +135,7 @@ void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, i
         group_.push_back(&segment(*member).statistics);
     // Segments of one slice share its pitch error: those that are in already are taken out and put back with the new.
     if (!group_.empty())
-        plane.estimate.accumulate(seen, group_, parameters.noise, parameters.likelihood.growthFloor, -1.0);
+        plane.estimate.accumulate(seen, group_, parameters.noise, parameters.noise.systematic, -1.0);
     else
         ++plane.slices;
     for (const SegmentNumber number : numbers) {
@@ -145,7 +145,7 @@ void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, i
         ++plane.fitted;
         plane.members.insert(std::upper_bound(plane.members.begin(), plane.members.end(), number), number);
     }
-    plane.estimate.accumulate(seen, group_, parameters.noise, parameters.likelihood.growthFloor, 1.0);
+    plane.estimate.accumulate(seen, group_, parameters.noise, parameters.noise.systematic, 1.0);
     plane.lastSlice = std::max(plane.lastSlice, place);
     touch(plane, step);
     if (++plane.slicesUnsolved >= kSolveEvery || plane.slices <= kYoungSlices) {

@@ -115,7 +115,7 @@ public:
     /// off as a whole. Members for which `counts` does not hold take no part in the fit.
     template <class Counts>
     bool rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts);
-    /// The same with all members and the floor of growing planes (`likelihood.growth-floor`).
+    /// The same with all members and the floor of growing planes (`noise.systematic`).
     bool rebuild(PlaneTrack& plane, const Parameters& parameters);
 
     /// Gives planes the segments that say they are theirs, after owners were changed; planes without any disappear.
