@@ -29,6 +29,10 @@ constexpr int kEmptySlices = 3;
 constexpr double kRoughlyCoplanar = 0.08;
 /// Sine of the angle at which rays must meet a plane at least; a slice's own plane is none.
 constexpr double kGrazing = 0.02;
+/// By how many standard deviations of its normal a plane must be met by the rays.
+constexpr double kSureSigmas = 2.0;
+/// Planes of more slices do not turn much any more.
+constexpr int kYoungSlices = 20;
 /// Points that a pair of segments must have.
 constexpr int kPairPoints = 40;
 
@@ -109,11 +113,11 @@ int sliceBefore(int place, double tiltGap, const TrackMap& map)
     return -1;
 }
 
-/// Sine of the angle at which the ray to a segment's centroid meets a plane.
-double incidence(SegmentNumber number, const PlaneEstimate& estimate, const TrackMap& map)
+/// True where a plane is sure to be met by the rays to a segment: a slice's own plane fits all of it, and is none.
+bool surelyMet(SegmentNumber number, const PlaneEstimate& estimate, const TrackMap& map, const Parameters& parameters)
 {
-    const Eigen::Vector3d ray = centroid(number, map) - map.slice(map.segment(number).slice).frame.origin;
-    return std::abs(estimate.normal().dot(ray)) / ray.norm();
+    const double least = parameters.planes.minIncidence + kSureSigmas * std::sqrt(estimate.normalVariance());
+    return map.incidence(number, estimate) >= std::sin(std::min(least, degrees(90.0)));
 }
 
 /// Hypotheses of three segments of which the last is `newest`; of the smallest gap that gives any.
@@ -122,7 +126,6 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
 {
     const int place = map.segment(newest).slice;
     const double angle = parameters.likelihood.seedAngle;
-    const double leastIncidence = std::sin(parameters.planes.minIncidence);
     std::pair tried{-1, -1};
     for (const double gap : {kTiltGapSigmas * parameters.noise.pitch, kTiltGaps[0], kTiltGaps[1]}) {
         const int middlePlace = sliceBefore(place, gap, map);
@@ -143,7 +146,7 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
                 hypothesis.chi = hypothesis.estimate.chi();
                 hypothesis.normalVariance = hypothesis.estimate.normalVariance();
                 if (hypothesis.chi >= parameters.likelihood.seedGate || hypothesis.normalVariance >= angle * angle ||
-                    incidence(newest, hypothesis.estimate, map) < leastIncidence)
+                    !surelyMet(newest, hypothesis.estimate, map, parameters))
                     return;
                 hypothesis.support =
                     std::min({map.segment(oldest).statistics.points, map.segment(middle).statistics.points,
@@ -200,7 +203,28 @@ void grow(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, int st
     map.rebuild(plane, parameters);
 }
 
+/// Dissolves a plane that has turned into the slices that it is made of.
+bool dropGrazing(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const Test met{"incidence", map.meanIncidence(plane), Comparison::GreaterEqual,
+                   std::sin(parameters.planes.minIncidence)};
+    if (met.pass())
+        return false;
+    recorder.decide(DecisionKind::NoFit, {PlaneRef{plane.id}}, {met});
+    map.dissolve(plane.id);
+    return true;
+}
+
 }  // namespace
+
+void dropYoungGrazing(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    for (std::size_t i = 0; i < map.planes().size();) {
+        PlaneTrack& plane = map.planes()[i];
+        if (plane.slices > kYoungSlices || !dropGrazing(plane, map, parameters, recorder))
+            ++i;
+    }
+}
 
 void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, StepRecorder& recorder)
 {
@@ -228,6 +252,7 @@ void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, Ste
                               parameters.likelihood.seedAngle}},
                             {PlaneRef{plane->id}});
         grow(*plane, map, parameters, step);
+        dropGrazing(*plane, map, parameters, recorder);
     }
 }
 
@@ -252,7 +277,7 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
                 PlaneEstimate two;
                 const std::array pair{other, number};
                 if (fitSegments(pair, map, parameters, two) && two.chi() < best &&
-                    incidence(number, two, map) >= std::sin(parameters.planes.minIncidence)) {
+                    surelyMet(number, two, map, parameters)) {
                     best = two.chi();
                     partner = other;
                     estimate = two;
@@ -269,6 +294,7 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
                                 {PlaneRef{plane->id}});
             plane->ofPair = true;
             grow(*plane, map, parameters, step);
+            dropGrazing(*plane, map, parameters, recorder);
         }
     }
 }
