@@ -206,8 +206,11 @@ void grow(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, int st
 /// Dissolves a plane that has turned into the slices that it is made of.
 bool dropGrazing(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
-    const Test met{"incidence", map.meanIncidence(plane), Comparison::GreaterEqual,
-                   std::sin(parameters.planes.minIncidence)};
+    const SegmentNumber middle = plane.members[plane.members.size() / 2];
+    const double mean = (map.incidence(plane.members.front(), plane.estimate) + map.incidence(middle, plane.estimate) +
+                         map.incidence(plane.members.back(), plane.estimate)) /
+                        3.0;
+    const Test met{"incidence", mean, Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)};
     if (met.pass())
         return false;
     recorder.decide(DecisionKind::NoFit, {PlaneRef{plane.id}}, {met});

@@ -21,10 +21,6 @@ constexpr double kTrimSigmas = 2.5;
 constexpr double kClipSigmas = 3.0;
 /// Divisions one within the other before a piece is halved instead.
 constexpr int kDeepestDivision = 48;
-/// Pieces longer than this are tried on every fourth point first, and only a clear hit is trusted.
-constexpr int kLongPiece = 48;
-constexpr int kStride = 4;
-constexpr float kClearHit = 1.5F * 1.5F;
 /// A single weight serves a segment whose ranges differ by less than this factor.
 constexpr double kOneWeightRatio = 1.6;
 /// χ² with two degrees of freedom that the common line of two pieces may cost: 99.9 %.
@@ -73,20 +69,12 @@ void StatisticsExtractor::splitRun(int first, int last, const Parameters& parame
     const auto sigmas = static_cast<float>(square(parameters.segments.splitSigmas));
     const auto bearing = static_cast<float>(square(parameters.noise.bearing));
     const DeviationLimits limits{fixed, sigmas, bearing};
-    const DeviationLimits clear{kClearHit * fixed, kClearHit * sigmas, bearing};
     const BeamArrays points = points_.arrays();
     const auto divisionOf = [&](const Open& open) {
         if (open.last - open.first < 2)
             return -1;
         const ChordF chord = points_.chordOf(open.first, open.last);
-        if (open.last - open.first >= kLongPiece) {
-            const int hit =
-                points_.kernels().farthest(points, open.first + kStride, open.last - kStride, kStride, chord, clear);
-            if (hit >= 0)
-                return points_.kernels().farthest(points, std::max(open.first + 1, hit - kStride),
-                                                  std::min(open.last - 1, hit + kStride), 1, chord, limits);
-        }
-        return points_.kernels().farthest(points, open.first + 1, open.last - 1, 1, chord, limits);
+        return points_.kernels().farthest(points, open.first + 1, open.last - 1, chord, limits);
     };
 
     const std::size_t begin = pieces_.size();
@@ -113,6 +101,31 @@ void StatisticsExtractor::splitRun(int first, int last, const Parameters& parame
         settleBorder(pieces_[i - 1], pieces_[i], parameters.noise);
 }
 
+/// Moments of a handful of points.
+LineMoments StatisticsExtractor::fewPoints(int first, int last) const
+{
+    LineMoments moments;
+    const double u = points_.u(first);
+    const double v = points_.v(first);
+    for (int i = first; i <= last; ++i) {
+        const double du = points_.u(i) - u;
+        const double dv = points_.v(i) - v;
+        moments.u += du;
+        moments.v += dv;
+        moments.uu += du * du;
+        moments.uv += du * dv;
+        moments.vv += dv * dv;
+    }
+    moments.count = last - first + 1;
+    const double share = 1.0 / moments.count;
+    moments.uu -= share * moments.u * moments.u;
+    moments.uv -= share * moments.u * moments.v;
+    moments.vv -= share * moments.v * moments.v;
+    moments.u = u + share * moments.u;
+    moments.v = v + share * moments.v;
+    return moments;
+}
+
 /// Moves the border between two neighbouring pieces to where their lines say it is; points of no piece between them
 /// take part.
 void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoiseParameters& noise) const
@@ -122,21 +135,19 @@ void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoisePar
     const auto movable = [](const Piece& piece) { return std::clamp(piece.points() / 3, 1, kMovablePoints); };
     const int low = left.last - movable(left) + 1;
     const int high = right.first + movable(right) - 1;
-    for (int i = low; i <= left.last; ++i)
-        left.moments.remove(points_.u(i), points_.v(i));
-    for (int i = right.first; i <= high; ++i)
-        right.moments.remove(points_.u(i), points_.v(i));
+    left.moments.remove(fewPoints(low, left.last));
+    right.moments.remove(fewPoints(right.first, high));
     const MomentLine leftLine = lineOf(left.moments);
     const MomentLine rightLine = lineOf(right.moments);
-    const double leftVariance = centroidVariance(leftLine, left.moments, noise);
-    const double rightVariance = centroidVariance(rightLine, right.moments, noise);
+    const double leftWeight = 1.0 / centroidVariance(leftLine, left.moments, noise);
+    const double rightWeight = 1.0 / centroidVariance(rightLine, right.moments, noise);
     // Of all borders in reach the one with the smallest sum of squares, where a stranger to both counts as a limit.
     constexpr double kStranger = kClipSigmas * kClipSigmas;
     const auto leftCost = [&](int i) {
-        return square(distanceTo(leftLine, left.moments, points_.u(i), points_.v(i))) / leftVariance;
+        return square(distanceTo(leftLine, left.moments, points_.u(i), points_.v(i))) * leftWeight;
     };
     const auto rightCost = [&](int i) {
-        return square(distanceTo(rightLine, right.moments, points_.u(i), points_.v(i))) / rightVariance;
+        return square(distanceTo(rightLine, right.moments, points_.u(i), points_.v(i))) * rightWeight;
     };
     double sum = 0.0;
     double best = 0.0;
@@ -154,10 +165,10 @@ void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoisePar
         --left.last;
     while (right.first <= high && rightCost(right.first) > kStranger)
         ++right.first;
-    for (int i = low; i <= left.last; ++i)
-        left.moments.add(points_.u(i), points_.v(i));
-    for (int i = right.first; i <= high; ++i)
-        right.moments.add(points_.u(i), points_.v(i));
+    if (left.last >= low)
+        left.moments.add(fewPoints(low, left.last));
+    if (right.first <= high)
+        right.moments.add(fewPoints(right.first, high));
 }
 
 /// Leaves out up to two points at each end that do not lie on the line of the others: mixed pixels at an edge.
@@ -321,13 +332,11 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
 {
     points_.take(slice, sensor, parameters);
     pieces_.clear();
-    int first = 0;
-    for (int i = 1; i <= points_.count(); ++i) {
-        if (i < points_.count() && !points_.breaksBefore(i))
-            continue;
-        if (i - first >= kShortestPiece)
-            splitRun(first, i - 1, parameters);
-        first = i;
+    for (int first = 0; first < points_.count();) {
+        const int next = points_.nextBreak(first + 1);
+        if (next - first >= kShortestPiece)
+            splitRun(first, next - 1, parameters);
+        first = next;
     }
 
     std::size_t kept = 0;

@@ -49,6 +49,7 @@ private:
     };
 
     void splitRun(int first, int last, const Parameters& parameters);
+    LineMoments fewPoints(int first, int last) const;
     void settleBorder(Piece& left, Piece& right, const NoiseParameters& noise) const;
     void trimEnds(Piece& piece, const NoiseParameters& noise) const;
     void clip(Piece& piece, const NoiseParameters& noise) const;
