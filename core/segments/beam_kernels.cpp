@@ -112,13 +112,13 @@ PLANEWRIGHT_BODY int farthestBody(const BeamArrays& points, int first, int last,
         }
     }
     float largest = 0.0F;
-    int farthest = -1;
-    for (int lane = 0; lane < kLanes; ++lane) {
-        const int i = found[lane] + lane;
-        const bool better = best[lane] > largest || (best[lane] == largest && largest > 0.0F && i < farthest);
-        largest = better ? best[lane] : largest;
-        farthest = better ? i : farthest;
-    }
+    for (const float lane : best)
+        largest = std::max(largest, lane);
+    if (largest == 0.0F)
+        return -1;
+    int farthest = last;
+    for (int lane = 0; lane < kLanes; ++lane)
+        farthest = std::min(farthest, best[lane] == largest ? found[lane] + lane : last);
     return farthest;
 }
 
