@@ -91,8 +91,10 @@ struct SegmentParameters {
                       "d_o", "The merge gap is never less than this many distances between beams at that range."},
             Parameter{"segments.min-length", &SegmentParameters::minLength, Unit::Metre, Range{0.0, 10.0}, "L_min",
                       "Shorter segments are removed, Eq. (5)."},
-            Parameter{"segments.min-points", &SegmentParameters::minPoints, Unit::Count, Range{4.0, 1000.0}, "N_e",
-                      "Segments of fewer scan points are removed, Eq. (5)."},
+            Parameter{
+                "segments.min-points", &SegmentParameters::minPoints, Unit::Count, Range{4.0, 1000.0}, "N_e",
+                "Segments of fewer scan points are removed, Eq. (5); by likelihood, of fewer still where beams are "
+                "farther apart than 0.25 degrees."},
         };
     }
 };

@@ -6,14 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/types/angle.h"
+
 namespace planewright {
 
 namespace {
 
 /// How many points beside a division may change sides.
 constexpr int kMovablePoints = 6;
-/// Points that a line of its own needs.
-constexpr int kShortestPiece = 4;
+/// The fewest points of a segment are told for this angle between beams [rad]; a wider one needs fewer, but so many.
+constexpr double kToldStep = degrees(0.25);
+constexpr int kFewestPoints = 3;
 /// Points at each end of a piece that may be left out as strangers, and how far off they are, in standard deviations.
 constexpr int kTrimmedPoints = 2;
 constexpr double kTrimSigmas = 2.5;
@@ -21,6 +24,10 @@ constexpr double kTrimSigmas = 2.5;
 constexpr double kClipSigmas = 3.0;
 /// Divisions one within the other before a piece is halved instead.
 constexpr int kDeepestDivision = 48;
+/// Two lines must explain a piece better than one by so much χ²; how many divisions are tried; and one in the other.
+constexpr double kDivisionGain = 25.0;
+constexpr int kDivisionsTried = 16;
+constexpr int kDeepestBend = 4;
 /// A single weight serves a segment whose ranges differ by less than this factor.
 constexpr double kOneWeightRatio = 1.6;
 /// χ² with two degrees of freedom that the common line of two pieces may cost: 99.9 %.
@@ -88,7 +95,7 @@ void StatisticsExtractor::splitRun(int first, int last, const Parameters& parame
             // Neighbours share their point of division; it belongs to the left one until the border is settled.
             const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
             const int start = shared ? open.first + 1 : open.first;
-            if (open.last - start + 1 >= kShortestPiece)
+            if (open.last - start + 1 >= shortest_)
                 pieces_.push_back({start, open.last, points_.momentsOf(start, open.last)});
             continue;
         }
@@ -171,11 +178,60 @@ void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoisePar
         right.moments.add(fewPoints(right.first, high));
 }
 
+/// Where two lines explain a piece best: the first point of the second one; −1 where two explain it no better than one.
+int StatisticsExtractor::bestDivision(const Piece& piece, const MomentLine& line, double variance) const
+{
+    int low = piece.first + shortest_;
+    int high = piece.last - shortest_ + 1;
+    int division = -1;
+    double least = line.across - kDivisionGain * variance;
+    // Every few points first, then every point around the best.
+    for (int step = std::max(1, piece.points() / kDivisionsTried);; step = std::max(1, step / kDivisionsTried * 2)) {
+        LineMoments left = fewPoints(piece.first, low - 1);
+        for (int border = low; border <= high; border += step) {
+            LineMoments right = piece.moments;
+            right.remove(left);
+            const double across = lineOf(left).across + lineOf(right).across;
+            if (across < least) {
+                least = across;
+                division = border;
+            }
+            if (border + step <= high)
+                left.add(fewPoints(border, border + step - 1));
+        }
+        if (step == 1 || division < 0)
+            return division;
+        low = std::max(piece.first + shortest_, division - step);
+        high = std::min(piece.last - shortest_ + 1, division + step);
+    }
+}
+
+/// Appends a piece to the straight ones, divided where two lines explain it much better than one: steps and bends that
+/// are too small for any point to be far from the chord.
+void StatisticsExtractor::divideBent(const Piece& piece, int depth, const NoiseParameters& noise)
+{
+    if (depth > 0 && piece.points() >= 2 * shortest_) {
+        const MomentLine line = lineOf(piece.moments);
+        const double variance = centroidVariance(line, piece.moments, noise);
+        const int division =
+            line.across > variance * largestChi(piece.moments.count) ? bestDivision(piece, line, variance) : -1;
+        if (division >= 0) {
+            Piece left{piece.first, division - 1, points_.momentsOf(piece.first, division - 1)};
+            Piece right{division, piece.last, points_.momentsOf(division, piece.last)};
+            settleBorder(left, right, noise);
+            divideBent(left, depth - 1, noise);
+            divideBent(right, depth - 1, noise);
+            return;
+        }
+    }
+    straight_.push_back(piece);
+}
+
 /// Leaves out up to two points at each end that do not lie on the line of the others: mixed pixels at an edge.
 void StatisticsExtractor::trimEnds(Piece& piece, const NoiseParameters& noise) const
 {
     for (int side = 0; side < 2; ++side) {
-        for (int trimmed = 0; trimmed < kTrimmedPoints && piece.points() > kShortestPiece; ++trimmed) {
+        for (int trimmed = 0; trimmed < kTrimmedPoints && piece.points() > shortest_; ++trimmed) {
             const int i = side == 0 ? piece.first : piece.last;
             MomentLine line = lineOf(piece.moments);
             const double suspicious = square(0.5 * kTrimSigmas) * centroidVariance(line, piece.moments, noise);
@@ -211,7 +267,7 @@ void StatisticsExtractor::clip(Piece& piece, const NoiseParameters& noise) const
         if (square(distanceTo(line, piece.moments, points_.u(i), points_.v(i))) < square(kClipSigmas) * own)
             inside.add(points_.u(i), points_.v(i));
     }
-    if (inside.count < kShortestPiece || 2.0 * inside.count < piece.moments.count)
+    if (inside.count < shortest_ || 2.0 * inside.count < piece.moments.count)
         return;
     piece.clipped = inside.count < piece.moments.count;
     piece.moments = inside;
@@ -331,13 +387,21 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
                                   std::vector<SegmentStatistics>& segments)
 {
     points_.take(slice, sensor, parameters);
+    // Narrow faces must be seen by coarse scanners too: what counts as short follows the resolution.
+    const int told = std::max(kFewestPoints, parameters.segments.minPoints);
+    shortest_ = std::clamp(static_cast<int>(std::lround(told * kToldStep / slice.bearingStep)), kFewestPoints, told);
     pieces_.clear();
     for (int first = 0; first < points_.count();) {
         const int next = points_.nextBreak(first + 1);
-        if (next - first >= kShortestPiece)
+        if (next - first >= shortest_)
             splitRun(first, next - 1, parameters);
         first = next;
     }
+
+    straight_.clear();
+    for (const Piece& piece : pieces_)
+        divideBent(piece, kDeepestBend, parameters.noise);
+    std::swap(pieces_, straight_);
 
     std::size_t kept = 0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -355,7 +419,7 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
         }
     }
     for (std::size_t i = 0; i < kept; ++i) {
-        if (pieces_[i].moments.count >= static_cast<double>(parameters.segments.minPoints))
+        if (pieces_[i].moments.count >= static_cast<double>(shortest_))
             segments.push_back(statisticsOf(pieces_[i], parameters.noise));
     }
 }

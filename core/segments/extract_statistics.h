@@ -51,6 +51,8 @@ private:
     void splitRun(int first, int last, const Parameters& parameters);
     LineMoments fewPoints(int first, int last) const;
     void settleBorder(Piece& left, Piece& right, const NoiseParameters& noise) const;
+    int bestDivision(const Piece& piece, const MomentLine& line, double variance) const;
+    void divideBent(const Piece& piece, int depth, const NoiseParameters& noise);
     void trimEnds(Piece& piece, const NoiseParameters& noise) const;
     void clip(Piece& piece, const NoiseParameters& noise) const;
     bool belongTogether(const Piece& left, const Piece& right, const Parameters& parameters, double bearingStep,
@@ -58,8 +60,10 @@ private:
     SegmentStatistics statisticsOf(const Piece& piece, const NoiseParameters& noise) const;
 
     BeamPoints points_;
+    int shortest_ = 0;  // points of the shortest piece
     std::vector<Open> open_;
     std::vector<Piece> pieces_;
+    std::vector<Piece> straight_;
 };
 
 }  // namespace planewright
