@@ -116,10 +116,9 @@ void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, 
             if (map.segment(number).owner != kNoPlane)
                 continue;
             Candidate best;
-            const int back = map.lookback(place);
-            considerNeighbours(number, place, place - back, map, parameters, best);
+            considerNeighbours(number, place, place - map.lookback(place), map, parameters, best);
             if (place + 1 < map.slices())
-                considerNeighbours(number, place + 1, std::min(place + back, map.slices() - 1), map, parameters, best);
+                considerNeighbours(number, place + 1, place + map.lookahead(place), map, parameters, best);
             if (best.plane == nullptr)
                 considerKnown(number, map, parameters, best);
             if (best.plane == nullptr)

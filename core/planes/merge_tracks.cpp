@@ -23,8 +23,7 @@ bool sideBySide(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map)
 {
     for (const SegmentNumber number : a.members) {
         const int place = map.segment(number).slice;
-        const int reach = std::max(1, map.lookback(place));
-        for (int other = std::max(0, place - reach); other <= std::min(map.slices() - 1, place + reach); ++other) {
+        for (int other = place - map.lookback(place); other <= place + map.lookahead(place); ++other) {
             bool found = false;
             map.visitOverlaps(other, map.firstBeam(number), map.lastBeam(number), kSideMargin,
                               [&](SegmentNumber s) { found = found || map.segment(s).owner == b.id; });

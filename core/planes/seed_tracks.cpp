@@ -160,17 +160,14 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
 bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Parameters& parameters, int step)
 {
     const TrackedSlice& slice = map.slice(place);
-    const int reach = std::max(1, map.lookback(place));
+    const int reach = towards < 0 ? map.lookback(place) : map.lookahead(place);
     std::vector<SegmentNumber> fitting;
     for (SegmentNumber number = slice.first; number < slice.end; ++number) {
         if (map.segment(number).owner != kNoPlane)
             continue;
         bool faces = false;
         for (int near = 1; near <= reach && !faces; ++near) {
-            const int other = place + near * towards;
-            if (other < 0 || other >= map.slices())
-                break;
-            map.visitOverlaps(other, map.firstBeam(number), map.lastBeam(number), kOverlapMargin,
+            map.visitOverlaps(place + near * towards, map.firstBeam(number), map.lastBeam(number), kOverlapMargin,
                               [&](SegmentNumber facing) { faces = faces || map.segment(facing).owner == plane.id; });
         }
         if (faces &&

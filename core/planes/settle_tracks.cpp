@@ -28,9 +28,8 @@ struct Better {
 Better bestAround(SegmentNumber number, TrackMap& map, const Parameters& parameters)
 {
     const TrackedSegment& s = map.segment(number);
-    const int reach = std::max(1, map.lookback(s.slice));
     Better best;
-    for (int place = std::max(0, s.slice - reach); place <= std::min(map.slices() - 1, s.slice + reach); ++place) {
+    for (int place = s.slice - map.lookback(s.slice); place <= s.slice + map.lookahead(s.slice); ++place) {
         map.visitOverlaps(place, map.firstBeam(number), map.lastBeam(number), kOverlapMargin, [&](SegmentNumber other) {
             const PlaneId owner = map.segment(other).owner;
             if (owner == kNoPlane || owner == s.owner || (best.plane != nullptr && best.plane->id == owner))

@@ -76,6 +76,7 @@ private slots:
     void decisionsTellTheNumbersCompared();
     void firstSliceHasNothingToJoin();
     void leftoverSegmentsJoinPlanesBeforeAndAfter();
+    void leftoverSegmentsOfTheFirstSliceFaceTwoSlicesToo();
     void leftoverSegmentsOfEarlierSlicesStayAsTheyAre();
     void leftoverSegmentsThatFitNothingStayFree();
     void mirroredScansAreJoinedAlike();
@@ -312,6 +313,23 @@ void JoinTracksTest::leftoverSegmentsJoinPlanesBeforeAndAfter()
     QCOMPARE(scan.map.plane(0).members.size(), std::size_t{7});
     QVERIFY2(disagreement(scan.map).empty(), disagreement(scan.map).c_str());
     QVERIFY(apart(scan.map.plane(0).estimate, kWall) < 1e-9);
+}
+
+void JoinTracksTest::leftoverSegmentsOfTheFirstSliceFaceTwoSlicesToo()
+{
+    for (const int missing : {1, 5}) {
+        // Slice 1 or, of the same scan the other way round, slice 5 does not see the wall.
+        NoddingScan scan;
+        scan.parameters.likelihood.knownAngle = 0.0;
+        for (int k = 0; k < 7; ++k)
+            scan.see(degrees(85.0) + k * kTiltStep, k == missing ? std::vector<Surface>{} : std::vector{kWall});
+        const Numbers middle = missing == 1 ? Numbers{1, 2, 3, 4, 5} : Numbers{0, 1, 2, 3, 4};
+        scan.makePlane(middle, kWall);
+
+        joinRemaining(scan.map, 0, scan.parameters, scan.recorded.recorder);
+
+        QCOMPARE(scan.map.plane(0).members.size(), std::size_t{6});
+    }
 }
 
 void JoinTracksTest::leftoverSegmentsOfEarlierSlicesStayAsTheyAre()

@@ -154,8 +154,10 @@ void TrackMapTest::neighboursAreTwoSlicesOrThoseWithinOneAndAHalfDegrees()
     NoddingScan scan;
     scan.nod(12, {}, degrees(80.0), degrees(tiltStep));
 
-    for (int place = 0; place < 12; ++place)
+    for (int place = 0; place < 12; ++place) {
         QCOMPARE(scan.map.lookback(place), std::min(place, neighbours));
+        QCOMPARE(scan.map.lookahead(place), std::min(11 - place, neighbours));
+    }
 }
 
 void TrackMapTest::meanTiltStepCountsBothWays()
