@@ -78,6 +78,8 @@ private slots:
     void leftoverSegmentsJoinPlanesBeforeAndAfter();
     void leftoverSegmentsOfTheFirstSliceFaceTwoSlicesToo();
     void leftoverSegmentsOfEarlierSlicesStayAsTheyAre();
+    void leftoverSegmentsJoinKnownPlanesSeenAboutThen_data();
+    void leftoverSegmentsJoinKnownPlanesSeenAboutThen();
     void leftoverSegmentsThatFitNothingStayFree();
     void mirroredScansAreJoinedAlike();
 };
@@ -344,6 +346,40 @@ void JoinTracksTest::leftoverSegmentsOfEarlierSlicesStayAsTheyAre()
     // Slices from before the first on are all slices.
     joinRemaining(scan.map, -3, scan.parameters, scan.recorded.recorder);
     QCOMPARE(scan.map.plane(0).members.size(), std::size_t{9});
+}
+
+void JoinTracksTest::leftoverSegmentsJoinKnownPlanesSeenAboutThen_data()
+{
+    QTest::addColumn<int>("place");
+    QTest::addColumn<bool>("joins");
+
+    // The wall is seen in slices 10 to 29.
+    QTest::newRow("nine slices before") << 1 << false;
+    QTest::newRow("eight slices before") << 2 << true;
+    QTest::newRow("while it was seen first") << 12 << true;
+    QTest::newRow("eight slices after") << 37 << true;
+    QTest::newRow("nine slices after") << 38 << false;
+}
+
+void JoinTracksTest::leftoverSegmentsJoinKnownPlanesSeenAboutThen()
+{
+    QFETCH(const int, place);
+    QFETCH(const bool, joins);
+    NoddingScan scan;
+    for (int k = 0; k < 40; ++k) {
+        std::vector<Surface> surfaces;
+        if (k >= 10 && k < 30)
+            surfaces.push_back(kWall);
+        if (k == place)
+            surfaces.push_back(wallBy(440, 480));  // across a door
+        scan.see(degrees(60.0) + k * kTiltStep, surfaces);
+    }
+    const SegmentNumber lone = scan.map.slice(place).end - 1;
+    scan.makePlane(scan.column(0, 10, 29), kWall);
+
+    joinRemaining(scan.map, 0, scan.parameters, scan.recorded.recorder);
+
+    QCOMPARE(scan.map.segment(lone).owner, joins ? 0 : kNoPlane);
 }
 
 void JoinTracksTest::leftoverSegmentsThatFitNothingStayFree()
