@@ -16,9 +16,9 @@ namespace planewright {
 
 namespace {
 
-/// Tilts between the slices of a triple that are tried at least [rad]: a fine tilt step gives neighbours too close to
-/// tell a plane's direction.
-constexpr std::array kTiltGaps{degrees(0.5), degrees(1.0)};
+/// Tilts between the slices of a triple that are tried one after another [rad]: a fine tilt step gives neighbours too
+/// close to tell a plane's direction.
+constexpr std::array kTiltGaps{0.0, degrees(0.5), degrees(1.0)};
 /// The smallest tilt between them, in standard deviations of the pitch: nearer ones only tell its noise.
 constexpr double kTiltGapSigmas = 2.0;
 /// Slices looked back over for them at most: a head that rests gives any number.
@@ -124,7 +124,8 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
     const double angle = parameters.likelihood.seedAngle;
     const double leastIncidence = std::sin(parameters.planes.minIncidence);
     std::pair tried{-1, -1};
-    for (const double gap : {kTiltGapSigmas * parameters.noise.pitch, kTiltGaps[0], kTiltGaps[1]}) {
+    for (const double tiltGap : kTiltGaps) {
+        const double gap = std::max(tiltGap, kTiltGapSigmas * parameters.noise.pitch);
         const int middlePlace = sliceBefore(place, gap, map);
         const int oldestPlace = middlePlace < 0 ? -1 : sliceBefore(middlePlace, gap, map);
         if (oldestPlace < 0)

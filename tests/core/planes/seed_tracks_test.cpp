@@ -75,6 +75,7 @@ private slots:
     void aPlaneMetAtAGrazingAngleIsNone();
     void slicesOfAHypothesisAreFarEnoughApartForThePitch_data();
     void slicesOfAHypothesisAreFarEnoughApartForThePitch();
+    void slicesTooNearForThePitchAreNoSecondChoice();
     void aHeadThatRestsMakesNoPlane();
     void slicesTooNearToTellTheirPlaneGiveWayToFarther();
     void theBestSupportedPlaneComesFirst();
@@ -307,6 +308,21 @@ void SeedTracksTest::slicesOfAHypothesisAreFarEnoughApartForThePitch()
     fewer.nod(2 * slices, {kWall}, degrees(85.0), degrees(0.1));
     seed(fewer);
     QVERIFY(fewer.map.planes().empty());
+}
+
+void SeedTracksTest::slicesTooNearForThePitchAreNoSecondChoice()
+{
+    // Slices 0.51° apart where the pitch is known to 0.7°: each third counts, and those are on no plane.
+    NoddingScan scan;
+    scan.parameters.noise.pitch = degrees(0.7);
+    scan.parameters.likelihood.seedAngle = degrees(45.0);
+    scan.nod(7, {kWall}, degrees(85.0), degrees(0.51));
+    for (SegmentNumber number = 0; number < 4; ++number)
+        disturb(scan.map.segment(number).statistics, 0.0, degrees(5.0 * number));
+
+    seed(scan);
+
+    QVERIFY(scan.map.planes().empty());
 }
 
 void SeedTracksTest::aHeadThatRestsMakesNoPlane()
