@@ -80,6 +80,7 @@ private slots:
     void twentyBeamsApartIsSideBySide();
     void piecesOfAWallBecomeOneInOneGo();
     void aMergedPlaneIsThatOfAllItsSegments();
+    void planesThatDidNotGrowAreNotComparedAgain();
     void planesAreSolvedBeforeTheyAreCompared();
     void oneLongPlaneIsLeftAlone();
     void mirroredScansMergeAlike();
@@ -307,6 +308,24 @@ void MergeTracksTest::aMergedPlaneIsThatOfAllItsSegments()
     const PlaneEstimate whole = solvedFrom(before, scan.map.plane(0).members, scan.map, scan.parameters.noise, 0.0);
     QVERIFY(nearlyEqual(scan.map.plane(0).estimate, whole, 1e-12));
     QCOMPARE(scan.map.plane(0).slices, 10);
+}
+
+void MergeTracksTest::planesThatDidNotGrowAreNotComparedAgain()
+{
+    Merging merging = apartBy(50.0);
+    merging.merge();
+    QCOMPARE(merging.nears().size(), std::size_t{1});
+
+    merging.merge();
+    QCOMPARE(merging.nears().size(), std::size_t{1});
+
+    // One of them grows, by a fifth first and then by three tenths of what it was.
+    for (int k = 10; k < 13; ++k) {
+        const SegmentNumber number = merging.scan.see(degrees(85.0) + k * kTiltStep, {wallBy(300, 355)});
+        merging.scan.map.join(merging.plane(0), std::span{&number, 1}, k, merging.scan.parameters);
+        merging.merge();
+        QCOMPARE(merging.nears().size(), k < 12 ? std::size_t{1} : std::size_t{2});
+    }
 }
 
 void MergeTracksTest::planesAreSolvedBeforeTheyAreCompared()
