@@ -86,16 +86,12 @@ void takeOver(PlaneTrack& kept, const PlaneTrack& gone, TrackMap& map, const Par
     map.touch(kept, step);
 }
 
-}  // namespace
-
-void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+/// Compares the planes that have grown with all others; true where some became one.
+bool mergeGrown(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const int step = map.slice(map.slices() - 1).step;
     std::vector<PlaneTrack>& planes = map.planes();
-    for (PlaneTrack& plane : planes) {
-        if (plane.slicesUnsolved > 0 && plane.estimate.solve())
-            plane.slicesUnsolved = 0;
-    }
+    std::vector<PlaneId> merged;
     for (std::size_t i = 0; i < planes.size(); ++i) {
         for (std::size_t j = i + 1; j < planes.size();) {
             PlaneTrack& a = planes[i];
@@ -106,6 +102,7 @@ void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
             }
             const bool keepsFirst = a.points >= b.points;
             takeOver(keepsFirst ? a : b, keepsFirst ? b : a, map, parameters, step);
+            merged.push_back(keepsFirst ? a.id : b.id);
             planes.erase(planes.begin() + static_cast<std::ptrdiff_t>(keepsFirst ? j : i));
             ++recorder.counts().merges;
             // Whichever stayed is compared with all that follow once more.
@@ -113,8 +110,22 @@ void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
         }
     }
     for (PlaneTrack& plane : planes) {
-        if (hasGrown(plane))
+        if (hasGrown(plane) && std::find(merged.begin(), merged.end(), plane.id) == merged.end())
             plane.comparedAt = plane.points;
+    }
+    return !merged.empty();
+}
+
+}  // namespace
+
+void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    for (PlaneTrack& plane : map.planes()) {
+        if (plane.slicesUnsolved > 0 && plane.estimate.solve())
+            plane.slicesUnsolved = 0;
+    }
+    // What became one may be known well enough to be one with a plane that was compared before.
+    while (mergeGrown(map, parameters, recorder)) {
     }
 }
 

@@ -79,6 +79,7 @@ private slots:
     void halvesAcrossAGapMergeWhereBothAreKnown();
     void twentyBeamsApartIsSideBySide();
     void piecesOfAWallBecomeOneInOneGo();
+    void aMergedPlaneMeetsTheOnesBefore();
     void aMergedPlaneIsThatOfAllItsSegments();
     void planesThatDidNotGrowAreNotComparedAgain();
     void planesAreSolvedBeforeTheyAreCompared();
@@ -282,6 +283,25 @@ void MergeTracksTest::piecesOfAWallBecomeOneInOneGo()
     QCOMPARE(merging.scan.recorded.report.counts.merges, 3);
     QVERIFY2(disagreement(merging.scan.map).empty(), disagreement(merging.scan.map).c_str());
     QVERIFY(apart(merging.plane(3).estimate, kWall) < 1e-9);
+}
+
+void MergeTracksTest::aMergedPlaneMeetsTheOnesBefore()
+{
+    // Two pieces side by side that are known well enough only together, and before them one far off that is known.
+    Merging merging({wallBy(250, 330), wallBy(400, 425), wallBy(430, 455)});
+    const double known = std::sqrt(merging.plane(0).estimate.normalVariance());
+    Merging pieces({wallBy(400, 425), wallBy(430, 455)});
+    const double piece =
+        std::sqrt(std::min(pieces.plane(0).estimate.normalVariance(), pieces.plane(1).estimate.normalVariance()));
+    pieces.merge();
+    const double both = std::sqrt(pieces.plane(0).estimate.normalVariance());
+    QVERIFY(known < both && both < piece);
+    merging.scan.parameters.likelihood.mergeAngle = 0.5 * (both + piece);
+
+    merging.merge();
+
+    QVERIFY((merging.scan.planeIds() == Ids{0}));
+    QCOMPARE(merging.scan.recorded.report.counts.merges, 2);
 }
 
 void MergeTracksTest::aMergedPlaneIsThatOfAllItsSegments()
