@@ -120,9 +120,12 @@ bool mergeGrown(TrackMap& map, const Parameters& parameters, StepRecorder& recor
 
 void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
+    const int step = map.slice(map.slices() - 1).step;
     for (PlaneTrack& plane : map.planes()) {
-        if (plane.slicesUnsolved > 0 && plane.estimate.solve())
+        if (plane.slicesUnsolved > 0 && plane.estimate.solve()) {
             plane.slicesUnsolved = 0;
+            map.touch(plane, step);
+        }
     }
     // What became one may be known well enough to be one with a plane that was compared before.
     while (mergeGrown(map, parameters, recorder)) {

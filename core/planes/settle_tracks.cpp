@@ -218,12 +218,14 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
 
 void refineTracks(TrackMap& map, const Parameters& parameters)
 {
+    const int step = map.slice(map.slices() - 1).step;
     for (PlaneTrack& plane : map.planes()) {
         map.rebuild(plane, parameters);
         map.rebuild(plane, parameters.noise, 0.0, [&](SegmentNumber number) {
             return map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor()) <
                    parameters.likelihood.finalGate;
         });
+        map.touch(plane, step);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <QtTest>
 
+#include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
 
@@ -357,7 +358,8 @@ void MergeTracksTest::planesAreSolvedBeforeTheyAreCompared()
         merging.scan.map.join(merging.plane(0), std::span{&number, 1}, number, merging.scan.parameters);
     }
     QVERIFY(merging.plane(0).slicesUnsolved > 0);
-    Numbers members = merging.plane(0).members;
+    const Numbers members = merging.plane(0).members;
+    const auto before = publishedPlane(merging.plane(0), merging.scan.map);
 
     merging.merge();
 
@@ -365,6 +367,10 @@ void MergeTracksTest::planesAreSolvedBeforeTheyAreCompared()
     const PlaneEstimate whole = solvedFrom(PlaneEstimate(kWall.normal, kWall.distance), members, merging.scan.map,
                                            merging.scan.parameters.noise, 0.0);
     QVERIFY(nearlyEqual(merging.plane(0).estimate, whole, 1e-9));
+    const auto after = publishedPlane(merging.plane(0), merging.scan.map);
+    QVERIFY(after->normal == merging.plane(0).estimate.normal());
+    QVERIFY(after->normal != before->normal);
+    QVERIFY(after->revision > before->revision);
 }
 
 void MergeTracksTest::oneLongPlaneIsLeftAlone()

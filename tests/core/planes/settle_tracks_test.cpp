@@ -8,6 +8,7 @@
 
 #include <QtTest>
 
+#include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
 
@@ -123,6 +124,7 @@ private slots:
     void droppedPlanesFreeTheirSegments();
     void lastFitIsWithoutSegmentsBeyondTheGate();
     void lastFitHasNoFloor();
+    void lastFitIsPublished();
 };
 
 void SettleTracksTest::aSegmentOfTheNeighbourGoesOver()
@@ -518,6 +520,21 @@ void SettleTracksTest::lastFitHasNoFloor()
 
     QVERIFY(nearlyEqual(wall.plane().estimate,
                         solvedFrom(start, members, wall.scan.map, wall.scan.parameters.noise, 0.0), 1e-9));
+}
+
+void SettleTracksTest::lastFitIsPublished()
+{
+    OneWall wall(20, kWall, degrees(80.0));
+    disturb(wall.segment(9), 0.03, 0.0);
+    wall.make(kWall);
+    const auto before = publishedPlane(wall.plane(), wall.scan.map);
+
+    refineTracks(wall.scan.map, wall.scan.parameters);
+
+    const auto after = publishedPlane(wall.plane(), wall.scan.map);
+    QVERIFY(after->normal == wall.plane().estimate.normal());
+    QVERIFY(after->normal != before->normal);
+    QVERIFY(after->revision > before->revision);
 }
 
 }  // namespace planewright
