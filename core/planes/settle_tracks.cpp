@@ -161,8 +161,9 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
 void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const int step = map.slice(map.slices() - 1).step;
-    bool moved = false;
+    int thinned = 0;
     for (PlaneTrack& plane : map.planes()) {
+        const std::size_t before = plane.members.size();
         while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
             const double limit = largestReducedChi(plane, parameters);
             const double reduced = reducedChi(plane, map, parameters);
@@ -177,12 +178,13 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
                             {{"reduced_chi2", reduced, Comparison::Greater, limit}}, {PlaneRef{plane.id}});
             map.segment(*worst).owner = kNoPlane;
             plane.members.erase(worst);
-            moved = true;
             if (!map.rebuild(plane, parameters))
                 break;
         }
+        thinned += plane.members.size() < before ? 1 : 0;
     }
-    if (moved)
+    recorder.counts().splits += thinned;
+    if (thinned > 0)
         map.collectMembers(step);
 }
 

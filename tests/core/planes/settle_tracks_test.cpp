@@ -265,6 +265,7 @@ void SettleTracksTest::theWorstSegmentsAreThinnedOut()
     QCOMPARE(segmentOf(splits[0].operands.at(1)), (SegmentId{7, 0}));
     QCOMPARE(segmentOf(splits[1].operands.at(1)), (SegmentId{3, 0}));
     QVERIFY(allPass(splits[0].tests) && allPass(splits[1].tests));
+    QCOMPARE(wall.scan.recorded.report.counts.splits, 1);
     const Test test = testOf(splits[0].tests, "reduced_chi2");
     QVERIFY(std::abs(test.value / reduced - 1.0) < 1e-12);
     // 12 segments have 2·12 − 3 degrees of freedom.
