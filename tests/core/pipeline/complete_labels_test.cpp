@@ -126,6 +126,7 @@ private slots:
     void beamsWithoutEchoStayWithoutPlane();
     void echoesBesideThePlaneAreIts_data();
     void echoesBesideThePlaneAreIts();
+    void echoesFarFromThePlaneAreNot();
     void theNearerOfTwoPlanesGetsTheEcho();
     void sameBeamOneSliceBeforeOrAfterCounts_data();
     void sameBeamOneSliceBeforeOrAfterCounts();
@@ -133,6 +134,7 @@ private slots:
     void bordersMoveToWhereTheEchoesSay();
     void bordersMoveSixEchoesAtMost();
     void bordersAreBetweenNeighboursOnly();
+    void aMirroredSliceIsLabelledAlike();
     void labelsOfTheEstimatorByEndPointsStay();
 };
 
@@ -245,6 +247,7 @@ void CompleteLabelsTest::echoesBesideThePlaneAreIts_data()
     QTest::newRow("eight to the left") << 31 << 38;
     QTest::newRow("eight to the right") << 12 << 19;
     QTest::newRow("one after the other to the left") << 31 << 45;
+    QTest::newRow("one after the other to the right") << 5 << 19;
 }
 
 void CompleteLabelsTest::echoesBesideThePlaneAreIts()
@@ -259,6 +262,33 @@ void CompleteLabelsTest::echoesBesideThePlaneAreIts()
 
     QVERIFY(scan.beams(0, first, last) == repeated(last - first + 1, kWall));
     QCOMPARE(std::count(scan.labels[0].begin(), scan.labels[0].end(), kWall), 11 + last - first + 1);
+}
+
+void CompleteLabelsTest::echoesFarFromThePlaneAreNot()
+{
+    // Nine beams on the left, and nine on the right: without echoes in between nobody passes the label on.
+    Labelled scan;
+    scan.see(0, 20, 30, kWall, kWall);
+    for (const int beam : {11, 12, 38, 39})
+        scan.see(0, beam, beam, kWall, kNoPlane);
+
+    scan.complete();
+
+    QCOMPARE(scan.at(0, 12), kWall);
+    QCOMPARE(scan.at(0, 38), kWall);
+    // They are next to the ones that have it now.
+    QCOMPARE(scan.at(0, 11), kWall);
+    QCOMPARE(scan.at(0, 39), kWall);
+
+    Labelled far;
+    far.see(0, 20, 30, kWall, kWall);
+    for (const int beam : {11, 39})
+        far.see(0, beam, beam, kWall, kNoPlane);
+
+    far.complete();
+
+    QCOMPARE(far.at(0, 11), kNoPlane);
+    QCOMPARE(far.at(0, 39), kNoPlane);
 }
 
 void CompleteLabelsTest::theNearerOfTwoPlanesGetsTheEcho()
@@ -294,11 +324,11 @@ void CompleteLabelsTest::sameBeamOneSliceBeforeOrAfterCounts()
     QFETCH(const bool, labelled);
     Labelled scan(5);
     scan.see(2 + distance, 30, 30, kSide, kSide);
-    scan.see(2, 30, 30, kSide, kNoPlane);
+    scan.see(2, 29, 31, kSide, kNoPlane);
 
     scan.complete();
 
-    QCOMPARE(scan.at(2, 30), labelled ? kSide : kNoPlane);
+    QVERIFY(scan.beams(2, 29, 31) == repeated(3, labelled ? kSide : kNoPlane));
 }
 
 void CompleteLabelsTest::bordersMoveToWhereTheEchoesSay_data()
@@ -355,6 +385,36 @@ void CompleteLabelsTest::bordersAreBetweenNeighboursOnly()
 
     QVERIFY(scan.beams(0, 10, 26) == repeated(17, kWall));
     QVERIFY(scan.beams(0, 28, 30) == repeated(3, kSide));
+}
+
+void CompleteLabelsTest::aMirroredSliceIsLabelledAlike()
+{
+    // Two walls one behind the other, with echoes of either, of both and of none about them.
+    Labelled scan;
+    Labelled mirror;
+    const auto see = [&](int first, int last, PlaneId plane, PlaneId label, double behind) {
+        scan.see(0, first, last, plane, label, behind);
+        mirror.see(0, kBeams - last, kBeams - first, plane, label, behind);
+    };
+    see(0, 15, kWall, kNoPlane, 0.0);
+    see(16, 25, kWall, kWall, 0.0);
+    see(26, 28, kWall, kNoPlane, 0.15);
+    see(29, 30, kBehind, kNoPlane, 0.0);
+    see(31, 45, kBehind, kBehind, 0.0);
+    see(46, 47, kBehind, kNoPlane, 0.1);
+    see(48, 60, kBehind, kNoPlane, 0.002);
+
+    scan.complete();
+    mirror.complete();
+
+    Line mirrored = mirror.labels[0];
+    std::reverse(mirrored.begin(), mirrored.end());
+    QVERIFY(scan.labels[0] == mirrored);
+    QVERIFY(scan.beams(0, 0, 25) == repeated(26, kWall));
+    QVERIFY(scan.beams(0, 26, 28) == repeated(3, kNoPlane));
+    QVERIFY(scan.beams(0, 29, 45) == repeated(17, kBehind));
+    QVERIFY(scan.beams(0, 46, 47) == repeated(2, kNoPlane));
+    QVERIFY(scan.beams(0, 48, 60) == repeated(13, kBehind));
 }
 
 void CompleteLabelsTest::labelsOfTheEstimatorByEndPointsStay()
