@@ -5,8 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
+#include <utility>
 
 #include "core/geometry/sensor_model.h"
 
@@ -45,35 +44,8 @@ public:
     void labelSlice(std::size_t slice)
     {
         exchangeBorders(slice);
-        const ScanSlice& scan = recording_.slices[slice];
-        const int beams = static_cast<int>(scan.ranges.size());
-        std::vector<PlaneId>& line = labels_[slice];
-        // The plane to the left of each echo, and how far: labels given on the way count for those that follow.
-        PlaneId left = kNoPlane;
-        int leftBeam = std::numeric_limits<int>::min() / 2;
-        for (int beam = 0; beam < beams; ++beam) {
-            const auto at = static_cast<std::size_t>(beam);
-            if (line[at] == kNoPlane && sensor_.hasEcho(scan.ranges[at])) {
-                Choice choice;
-                const Ray ray = rayOf(scan, at);
-                if (beam - leftBeam <= kReach)
-                    consider(left, ray, choice);
-                for (int right = beam + 1; right < std::min(beams, beam + kReach + 1); ++right) {
-                    if (line[static_cast<std::size_t>(right)] != kNoPlane) {
-                        consider(line[static_cast<std::size_t>(right)], ray, choice);
-                        break;
-                    }
-                }
-                if (slice > 0)
-                    consider(labelAt(slice - 1, at), ray, choice);
-                if (slice + 1 < labels_.size())
-                    consider(labelAt(slice + 1, at), ray, choice);
-                line[at] = choice.plane;
-            }
-            if (line[at] != kNoPlane) {
-                left = line[at];
-                leftBeam = beam;
-            }
+        // Labels that echoes were given count for those next to them, on both sides alike.
+        while (labelEchoes(slice)) {
         }
     }
 
@@ -86,6 +58,45 @@ private:
         PlaneId plane = kNoPlane;
         double sigmas = kSigmas;
     };
+
+    /// Labels what a plane next to it explains; false where nothing was.
+    bool labelEchoes(std::size_t slice)
+    {
+        const ScanSlice& scan = recording_.slices[slice];
+        std::vector<PlaneId>& line = labels_[slice];
+        std::vector<std::pair<std::size_t, PlaneId>> given;
+        for (std::size_t beam = 0; beam < line.size(); ++beam) {
+            if (line[beam] != kNoPlane || !sensor_.hasEcho(scan.ranges[beam]))
+                continue;
+            Choice choice;
+            const Ray ray = rayOf(scan, beam);
+            consider(nearest(line, beam, -1), ray, choice);
+            consider(nearest(line, beam, 1), ray, choice);
+            if (slice > 0)
+                consider(labelAt(slice - 1, beam), ray, choice);
+            if (slice + 1 < labels_.size())
+                consider(labelAt(slice + 1, beam), ray, choice);
+            if (choice.plane != kNoPlane)
+                given.emplace_back(beam, choice.plane);
+        }
+        for (const auto& [beam, plane] : given)
+            line[beam] = plane;
+        return !given.empty();
+    }
+
+    /// The nearest plane on one side of a beam, within reach.
+    static PlaneId nearest(const std::vector<PlaneId>& line, std::size_t beam, int side)
+    {
+        for (int away = 1; away <= kReach; ++away) {
+            // Beyond beam 0 the unsigned number is larger than any beam.
+            const std::size_t at = beam + static_cast<std::size_t>(side * away);
+            if (at >= line.size())
+                break;
+            if (line[at] != kNoPlane)
+                return line[at];
+        }
+        return kNoPlane;
+    }
 
     Ray rayOf(const ScanSlice& scan, std::size_t beam) const
     {

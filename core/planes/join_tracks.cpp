@@ -50,13 +50,22 @@ void considerNeighbours(SegmentNumber number, int from, int to, TrackMap& map, c
     }
 }
 
+/// Whether a plane has a segment in one of the slices about a place.
+bool isInSight(const PlaneTrack& plane, int place, const TrackMap& map)
+{
+    const auto next =
+        std::lower_bound(plane.members.begin(), plane.members.end(), place - kSightSlices,
+                         [&](SegmentNumber number, int wanted) { return map.segment(number).slice < wanted; });
+    return next != plane.members.end() && map.segment(*next).slice <= place + kSightSlices;
+}
+
 /// A plane that is known well and was seen lately may be joined without facing it: across a door, behind a pillar.
 void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parameters, Candidate& best)
 {
     const int place = map.segment(number).slice;
     const double variance = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
     for (PlaneTrack& plane : map.planes()) {
-        if (std::abs(place - plane.lastSlice) <= kSightSlices && plane.estimate.normalVariance() < variance)
+        if (plane.estimate.normalVariance() < variance && isInSight(plane, place, map))
             consider(plane, number, map, parameters, 0.5 * parameters.flatnessFloor(), parameters.likelihood.apartGate,
                      best);
     }
@@ -116,10 +125,9 @@ void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, 
             if (map.segment(number).owner != kNoPlane)
                 continue;
             Candidate best;
-            const int back = map.lookback(place);
-            considerNeighbours(number, place, place - back, map, parameters, best);
+            considerNeighbours(number, place, place - map.lookback(place), map, parameters, best);
             if (place + 1 < map.slices())
-                considerNeighbours(number, place + 1, std::min(place + back, map.slices() - 1), map, parameters, best);
+                considerNeighbours(number, place + 1, place + map.lookahead(place), map, parameters, best);
             if (best.plane == nullptr)
                 considerKnown(number, map, parameters, best);
             if (best.plane == nullptr)

@@ -23,8 +23,7 @@ bool sideBySide(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map)
 {
     for (const SegmentNumber number : a.members) {
         const int place = map.segment(number).slice;
-        const int reach = std::max(1, map.lookback(place));
-        for (int other = std::max(0, place - reach); other <= std::min(map.slices() - 1, place + reach); ++other) {
+        for (int other = place - map.lookback(place); other <= place + map.lookahead(place); ++other) {
             bool found = false;
             map.visitOverlaps(other, map.firstBeam(number), map.lastBeam(number), kSideMargin,
                               [&](SegmentNumber s) { found = found || map.segment(s).owner == b.id; });
@@ -35,74 +34,102 @@ bool sideBySide(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map)
     return false;
 }
 
+bool hasGrown(const PlaneTrack& plane)
+{
+    return static_cast<double>(plane.points) > kGrown * static_cast<double>(plane.comparedAt);
+}
+
+/// Whether two planes are one; what was compared is told where they nearly are.
+bool areOne(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map, const Parameters& parameters,
+            StepRecorder& recorder)
+{
+    const double alignment = std::abs(a.estimate.normal().dot(b.estimate.normal()));
+    if (alignment <= kAlignment)
+        return false;
+    const double gate = parameters.likelihood.mergeGate;
+    const double chi = a.estimate.mergeChi(b.estimate, 0.5 * parameters.flatnessFloor(), 1.0);
+    if (!(chi < kNearFactor * gate))
+        return false;
+    const double known = parameters.likelihood.mergeAngle * parameters.likelihood.mergeAngle;
+    const bool sharp = a.estimate.normalVariance() < known && b.estimate.normalVariance() < known;
+    const bool beside = sharp || sideBySide(a, b, map);
+    const bool one = chi < gate && beside;
+    if (recorder.explains())
+        recorder.decide(
+            one ? DecisionKind::Merge : DecisionKind::Near, {PlaneRef{a.id}, PlaneRef{b.id}},
+            {{"normal_alignment", alignment, Comparison::Greater, kAlignment},
+             {"merge_chi2", chi, Comparison::Less, gate},
+             {"adjacent", beside ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0}},
+            one ? std::vector<Operand>{PlaneRef{a.points >= b.points ? a.id : b.id}} : std::vector<Operand>{});
+    return one;
+}
+
+/// Gives a plane all segments of another, which is to disappear.
+void takeOver(PlaneTrack& kept, const PlaneTrack& gone, TrackMap& map, const Parameters& parameters, int step)
+{
+    for (const SegmentNumber number : gone.members)
+        map.segment(number).owner = kept.id;
+    std::vector<SegmentNumber> all(kept.members.size() + gone.members.size());
+    std::merge(kept.members.begin(), kept.members.end(), gone.members.begin(), gone.members.end(), all.begin());
+    kept.members = std::move(all);
+    kept.points += gone.points;
+    kept.lastSlice = std::max(kept.lastSlice, gone.lastSlice);
+    kept.slices = 0;
+    int last = -1;
+    for (const SegmentNumber number : kept.members) {
+        kept.slices += map.segment(number).slice != last ? 1 : 0;
+        last = map.segment(number).slice;
+    }
+    kept.lineage = {Lineage::Kind::Merged, {std::min(kept.id, gone.id), std::max(kept.id, gone.id)}};
+    kept.comparedAt = 0;
+    map.rebuild(kept, parameters);
+    map.touch(kept, step);
+}
+
+/// Compares the planes that have grown with all others; true where some became one.
+bool mergeGrown(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const int step = map.slice(map.slices() - 1).step;
+    std::vector<PlaneTrack>& planes = map.planes();
+    std::vector<PlaneId> merged;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        for (std::size_t j = i + 1; j < planes.size();) {
+            PlaneTrack& a = planes[i];
+            PlaneTrack& b = planes[j];
+            if ((!hasGrown(a) && !hasGrown(b)) || !areOne(a, b, map, parameters, recorder)) {
+                ++j;
+                continue;
+            }
+            const bool keepsFirst = a.points >= b.points;
+            takeOver(keepsFirst ? a : b, keepsFirst ? b : a, map, parameters, step);
+            merged.push_back(keepsFirst ? a.id : b.id);
+            planes.erase(planes.begin() + static_cast<std::ptrdiff_t>(keepsFirst ? j : i));
+            ++recorder.counts().merges;
+            // Whichever stayed is compared with all that follow once more.
+            j = i + 1;
+        }
+    }
+    for (PlaneTrack& plane : planes) {
+        if (hasGrown(plane) && std::find(merged.begin(), merged.end(), plane.id) == merged.end())
+            plane.comparedAt = plane.points;
+    }
+    return !merged.empty();
+}
+
 }  // namespace
 
 void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const int step = map.slice(map.slices() - 1).step;
-    const double gate = parameters.likelihood.mergeGate;
-    const double known = parameters.likelihood.mergeAngle * parameters.likelihood.mergeAngle;
     for (PlaneTrack& plane : map.planes()) {
-        if (plane.slicesUnsolved > 0 && plane.estimate.solve())
+        if (plane.slicesUnsolved > 0 && plane.estimate.solve()) {
             plane.slicesUnsolved = 0;
-    }
-    for (std::size_t i = 0; i < map.planes().size(); ++i) {
-        for (std::size_t j = i + 1; j < map.planes().size();) {
-            PlaneTrack& a = map.planes()[i];
-            PlaneTrack& b = map.planes()[j];
-            const bool grown = static_cast<double>(a.points) > kGrown * static_cast<double>(a.comparedAt) ||
-                               static_cast<double>(b.points) > kGrown * static_cast<double>(b.comparedAt);
-            const double alignment = std::abs(a.estimate.normal().dot(b.estimate.normal()));
-            if (!grown || alignment <= kAlignment) {
-                ++j;
-                continue;
-            }
-            const double chi = a.estimate.mergeChi(b.estimate, 0.5 * parameters.flatnessFloor(), 1.0);
-            if (!(chi < kNearFactor * gate)) {
-                ++j;
-                continue;
-            }
-            const bool sharp = a.estimate.normalVariance() < known && b.estimate.normalVariance() < known;
-            const bool beside = sharp || sideBySide(a, b, map);
-            const bool merges = chi < gate && beside;
-            if (recorder.explains())
-                recorder.decide(merges ? DecisionKind::Merge : DecisionKind::Near, {PlaneRef{a.id}, PlaneRef{b.id}},
-                                {{"normal_alignment", alignment, Comparison::Greater, kAlignment},
-                                 {"merge_chi2", chi, Comparison::Less, gate},
-                                 {"adjacent", beside ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0}},
-                                merges ? std::vector<Operand>{PlaneRef{a.points >= b.points ? a.id : b.id}}
-                                       : std::vector<Operand>{});
-            if (!merges) {
-                ++j;
-                continue;
-            }
-            PlaneTrack& kept = a.points >= b.points ? a : b;
-            const PlaneTrack& gone = a.points >= b.points ? b : a;
-            for (const SegmentNumber number : gone.members)
-                map.segment(number).owner = kept.id;
-            std::vector<SegmentNumber> all(kept.members.size() + gone.members.size());
-            std::merge(kept.members.begin(), kept.members.end(), gone.members.begin(), gone.members.end(), all.begin());
-            kept.members = std::move(all);
-            kept.points += gone.points;
-            kept.lastSlice = std::max(kept.lastSlice, gone.lastSlice);
-            kept.slices = 0;
-            int last = -1;
-            for (const SegmentNumber number : kept.members) {
-                kept.slices += map.segment(number).slice != last ? 1 : 0;
-                last = map.segment(number).slice;
-            }
-            kept.lineage = {Lineage::Kind::Merged, {a.id, b.id}};
-            map.rebuild(kept, parameters);
-            map.touch(kept, step);
-            kept.comparedAt = 0;
-            ++recorder.counts().merges;
-            map.planes().erase(map.planes().begin() + static_cast<std::ptrdiff_t>(a.points >= b.points ? j : i));
-            // Whichever stayed is compared with all that follow once more.
-            j = i + 1;
+            map.touch(plane, step);
         }
     }
-    for (PlaneTrack& plane : map.planes())
-        plane.comparedAt = plane.points;
+    // What became one may be known well enough to be one with a plane that was compared before.
+    while (mergeGrown(map, parameters, recorder)) {
+    }
 }
 
 }  // namespace planewright

@@ -16,9 +16,9 @@ namespace planewright {
 
 namespace {
 
-/// Tilts between the slices of a triple that are tried at least [rad]: a fine tilt step gives neighbours too close to
-/// tell a plane's direction.
-constexpr std::array kTiltGaps{degrees(0.5), degrees(1.0)};
+/// Tilts between the slices of a triple that are tried one after another [rad]: a fine tilt step gives neighbours too
+/// close to tell a plane's direction.
+constexpr std::array kTiltGaps{0.0, degrees(0.5), degrees(1.0)};
 /// The smallest tilt between them, in standard deviations of the pitch: nearer ones only tell its noise.
 constexpr double kTiltGapSigmas = 2.0;
 /// Slices looked back over for them at most: a head that rests gives any number.
@@ -127,7 +127,8 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
     const int place = map.segment(newest).slice;
     const double angle = parameters.likelihood.seedAngle;
     std::pair tried{-1, -1};
-    for (const double gap : {kTiltGapSigmas * parameters.noise.pitch, kTiltGaps[0], kTiltGaps[1]}) {
+    for (const double tiltGap : kTiltGaps) {
+        const double gap = std::max(tiltGap, kTiltGapSigmas * parameters.noise.pitch);
         const int middlePlace = sliceBefore(place, gap, map);
         const int oldestPlace = middlePlace < 0 ? -1 : sliceBefore(middlePlace, gap, map);
         if (oldestPlace < 0)
@@ -163,17 +164,14 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
 bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Parameters& parameters, int step)
 {
     const TrackedSlice& slice = map.slice(place);
-    const int reach = std::max(1, map.lookback(place));
+    const int reach = towards < 0 ? map.lookback(place) : map.lookahead(place);
     std::vector<SegmentNumber> fitting;
     for (SegmentNumber number = slice.first; number < slice.end; ++number) {
         if (map.segment(number).owner != kNoPlane)
             continue;
         bool faces = false;
         for (int near = 1; near <= reach && !faces; ++near) {
-            const int other = place + near * towards;
-            if (other < 0 || other >= map.slices())
-                break;
-            map.visitOverlaps(other, map.firstBeam(number), map.lastBeam(number), kOverlapMargin,
+            map.visitOverlaps(place + near * towards, map.firstBeam(number), map.lastBeam(number), kOverlapMargin,
                               [&](SegmentNumber facing) { faces = faces || map.segment(facing).owner == plane.id; });
         }
         if (faces &&

@@ -30,9 +30,8 @@ struct Better {
 Better bestAround(SegmentNumber number, TrackMap& map, const Parameters& parameters)
 {
     const TrackedSegment& s = map.segment(number);
-    const int reach = std::max(1, map.lookback(s.slice));
     Better best;
-    for (int place = std::max(0, s.slice - reach); place <= std::min(map.slices() - 1, s.slice + reach); ++place) {
+    for (int place = s.slice - map.lookback(s.slice); place <= s.slice + map.lookahead(s.slice); ++place) {
         map.visitOverlaps(place, map.firstBeam(number), map.lastBeam(number), kOverlapMargin, [&](SegmentNumber other) {
             const PlaneId owner = map.segment(other).owner;
             if (owner == kNoPlane || owner == s.owner || (best.plane != nullptr && best.plane->id == owner))
@@ -151,8 +150,9 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
 void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const int step = map.slice(map.slices() - 1).step;
-    bool moved = false;
+    int thinned = 0;
     for (PlaneTrack& plane : map.planes()) {
+        const std::size_t before = plane.members.size();
         while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
             const double limit = largestReducedChi(plane, parameters);
             const double reduced = reducedChi(plane, map, parameters);
@@ -167,12 +167,13 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
                             {{"reduced_chi2", reduced, Comparison::Greater, limit}}, {PlaneRef{plane.id}});
             map.segment(*worst).owner = kNoPlane;
             plane.members.erase(worst);
-            moved = true;
             if (!map.rebuild(plane, parameters))
                 break;
         }
+        thinned += plane.members.size() < before ? 1 : 0;
     }
-    if (moved)
+    recorder.counts().splits += thinned;
+    if (thinned > 0)
         map.collectMembers(step);
 }
 
@@ -209,12 +210,14 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
 
 void refineTracks(TrackMap& map, const Parameters& parameters)
 {
+    const int step = map.slice(map.slices() - 1).step;
     for (PlaneTrack& plane : map.planes()) {
         map.rebuild(plane, parameters);
         map.rebuild(plane, parameters.noise, 0.0, [&](SegmentNumber number) {
             return map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor()) <
                    parameters.likelihood.finalGate;
         });
+        map.touch(plane, step);
     }
 }
 

@@ -50,14 +50,15 @@ PlaneTrack& TrackMap::plane(PlaneId id)
                              [](const PlaneTrack& plane, PlaneId wanted) { return plane.id < wanted; });
 }
 
-int TrackMap::lookback(int place) const
+int TrackMap::neighbours(int place, int direction) const
 {
+    const int available = direction < 0 ? place : slices() - 1 - place;
     const double tilt = slice(place).frame.tilt;
-    int back = kNearSlices;
-    while (back < kMostNearSlices && place - back - 1 >= 0 &&
-           std::abs(slice(place - back - 1).frame.tilt - tilt) <= kNearTilt)
-        ++back;
-    return std::min(back, place);
+    int count = std::min(kNearSlices, available);
+    while (count < std::min(kMostNearSlices, available) &&
+           std::abs(slice(place + direction * (count + 1)).frame.tilt - tilt) <= kNearTilt)
+        ++count;
+    return count;
 }
 
 double TrackMap::meanTiltStep() const

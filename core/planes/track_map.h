@@ -69,8 +69,9 @@ public:
     const std::vector<PlaneTrack>& planes() const { return planes_; }
     PlaneTrack& plane(PlaneId id);
 
-    /// How many slices back count as next to a slice: two, or as many as lie within two ordinary tilt steps.
-    int lookback(int place) const;
+    /// How many slices back, and how many ahead, count as next to a slice: two, or those within a degree and a half.
+    int lookback(int place) const { return neighbours(place, -1); }
+    int lookahead(int place) const { return neighbours(place, 1); }
     /// Mean angle between neighbouring slices so far [rad].
     double meanTiltStep() const;
     double bearingStep() const { return bearingStep_; }
@@ -134,6 +135,8 @@ public:
     DirectionClusters clusters;
 
 private:
+    int neighbours(int place, int direction) const;
+
     std::vector<TrackedSlice> slices_;
     std::vector<TrackedSegment> segments_;
     std::vector<PlaneTrack> planes_;  // in order of id

@@ -9,20 +9,13 @@
 #include <Eigen/LU>
 #include <QTest>
 
-#include "core/params/presets.h"
 #include "core/params/registry.h"
 #include "simulated_room.h"
+#include "tests/core/params/preset_parameters.h"
 
 using namespace planewright;
 
 namespace {
-
-Parameters precise()
-{
-    Parameters parameters;
-    apply(*findPreset(methodPresets(), "precise"), parameters);
-    return parameters;
-}
 
 /// 1 or −1, so that a found normal times it is on the side of the true one.
 double sideOf(const Plane& plane, const TruePlane& truth)

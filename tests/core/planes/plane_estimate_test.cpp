@@ -14,11 +14,10 @@
 #include "core/planes/end_point_cost.h"
 #include "core/simulation/random.h"
 #include "core/types/angle.h"
+#include "tests/core/planes/seen_statistics.h"
 
 namespace planewright {
 namespace {
-
-constexpr SensorModel kSensor{0.05, 0.1, 30.0};
 
 /// Two segments of one slice on a plane, exact, with information of their own.
 struct SeenSlice {
@@ -38,36 +37,22 @@ struct SeenSlice {
 SeenSlice seenAt(double tilt, const Eigen::Vector3d& normal, double distance, double u)
 {
     SeenSlice slice{frameOf(tilt, kSensor), {}};
-    const double a = normal.x();
-    const double b = normal.dot(slice.frame.ahead);
-    const double c = distance - normal.dot(slice.frame.origin);  // a u + b v = c
-    const double length = std::hypot(a, b);
+    const Trace trace = traceOf(normal, distance, slice.frame);
+    const Eigen::Vector2d direction = trace.direction();
     for (const auto& [from, to] : {std::pair{u, u + 1.0}, std::pair{u + 2.0, u + 2.5}}) {
         SegmentStatistics segment;
         segment.points = 100;
-        segment.directionU = b / length;
-        segment.directionV = -a / length;
+        segment.directionU = direction.x();
+        segment.directionV = direction.y();
         segment.u = 0.5 * (from + to);
-        segment.v = (c - a * segment.u) / b;
-        segment.end = 0.5 * (to - from) * length / std::abs(b);
+        segment.v = (trace.c - trace.a * segment.u) / trace.b;
+        segment.end = 0.5 * (to - from) / std::abs(direction.x());
         segment.start = -segment.end;
         segment.offsetInformation = 100.0 / 64e-6;
         segment.slopeInformation = segment.offsetInformation * segment.end * segment.end / 3.0;
         slice.segments.push_back(segment);
     }
     return slice;
-}
-
-/// Moves a segment across its line and turns it.
-void disturb(SegmentStatistics& segment, double offset, double turn)
-{
-    segment.u -= offset * segment.directionV;
-    segment.v += offset * segment.directionU;
-    const double u = segment.directionU - turn * segment.directionV;
-    const double v = segment.directionV + turn * segment.directionU;
-    const double length = std::hypot(u, v);
-    segment.directionU = u / length;
-    segment.directionV = v / length;
 }
 
 /// Turns a slice by a pitch error: it is seen in another plane than it says.
@@ -249,8 +234,7 @@ void PlaneEstimateTest::covarianceIsHonestWithCommonPitchErrors()
             SeenSlice slice =
                 seenAt(tilt + noise.pitch * random.normalPair().first, kNormal, kDistance, -1.0 + 0.1 * k);
             for (SegmentStatistics& s : slice.segments)
-                disturb(s, random.normalPair().first / std::sqrt(s.offsetInformation),
-                        random.normalPair().first / std::sqrt(s.slopeInformation));
+                disturb(s, random);
             pitch(slice, tilt);
             slices.push_back(slice);
         }
@@ -301,8 +285,7 @@ void PlaneEstimateTest::joinChiHasItsExpectation()
         SeenSlice slice = seenAt(tilt + noise.pitch * random.normalPair().first, normal.normalized(),
                                  (kDistance + off[2]) / normal.norm(), 0.3);
         SegmentStatistics& s = slice.segments[0];
-        disturb(s, random.normalPair().first / std::sqrt(s.offsetInformation),
-                random.normalPair().first / std::sqrt(s.slopeInformation));
+        disturb(s, random);
         sum += plane.joinChi(plane.inSlice(frame), s, noise, 0.0) / kTrials;
     }
 

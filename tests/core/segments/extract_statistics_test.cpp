@@ -9,20 +9,13 @@
 
 #include <QtTest>
 
-#include "core/params/presets.h"
+#include "tests/core/params/preset_parameters.h"
 #include "tests/core/segments/drawn_slice.h"
 
 namespace planewright {
 namespace {
 
 constexpr SensorModel kSensor{0.05, 0.1, 30.0};
-
-Parameters precise()
-{
-    Parameters parameters;
-    apply(*findPreset(methodPresets(), "precise"), parameters);
-    return parameters;
-}
 
 std::vector<SegmentStatistics> segmentsOf(const ScanSlice& slice, const Parameters& parameters = precise())
 {

@@ -1,0 +1,593 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <QtTest>
+
+#include "core/planes/track_stages.h"
+#include "tests/core/planes/nodding_scan.h"
+
+namespace planewright {
+namespace {
+
+using Numbers = std::vector<SegmentNumber>;
+
+/// A wall 4 m ahead that beams 320 to 400 meet, and one 3 m to the left.
+const Surface kWall{};
+const Surface kSideWall{Eigen::Vector3d{-1.0, 0.0, 0.0}, 3.0, 560, 620};
+
+Surface wallBy(int firstBeam, int lastBeam, double shift = 0.0)
+{
+    return {kWall.normal, kWall.distance + shift, firstBeam, lastBeam};
+}
+
+void seed(NoddingScan& scan, int firstSlice = 0)
+{
+    seedTracks(scan.map, firstSlice, scan.parameters, scan.recorded.recorder);
+}
+
+void pair(NoddingScan& scan)
+{
+    seedPairs(scan.map, scan.parameters, scan.recorded.recorder);
+}
+
+/// The steps of the segments that a decision is about.
+std::vector<int> stepsOf(const Decision& decision)
+{
+    std::vector<int> steps;
+    for (const Operand& operand : decision.operands)
+        steps.push_back(segmentOf(operand).step);
+    return steps;
+}
+
+/// Surfaces as a mirror shows them: x turns round, and with it the order of the beams.
+std::vector<Surface> mirrored(std::vector<Surface> surfaces)
+{
+    std::reverse(surfaces.begin(), surfaces.end());
+    for (Surface& surface : surfaces) {
+        surface.normal.x() = -surface.normal.x();
+        surface = {surface.normal, surface.distance, kBeams - 1 - surface.lastBeam, kBeams - 1 - surface.firstBeam};
+    }
+    return surfaces;
+}
+
+}  // namespace
+
+class SeedTracksTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void threeSlicesOfAPlaneMakeIt_data();
+    void threeSlicesOfAPlaneMakeIt();
+    void segmentsOnNoCommonPlaneMakeNone_data();
+    void segmentsOnNoCommonPlaneMakeNone();
+    void theGateIsTheOneOfTheParameters();
+    void normalsThatAreNotKnownWellMakeNone();
+    void twoSlicesMakeNone();
+    void segmentsThatDoNotFaceEachOtherMakeNone();
+    void segmentsOfPlanesMakeNoOther();
+    void newestOfThreeIsOfTheSlicesAskedFor();
+    void aPlaneMetAtAGrazingAngleIsNone_data();
+    void aPlaneMetAtAGrazingAngleIsNone();
+    void slicesOfAHypothesisAreFarEnoughApartForThePitch_data();
+    void slicesOfAHypothesisAreFarEnoughApartForThePitch();
+    void slicesTooNearForThePitchAreNoSecondChoice();
+    void aHeadThatRestsMakesNoPlane();
+    void slicesTooNearToTellTheirPlaneGiveWayToFarther();
+    void theBestSupportedPlaneComesFirst();
+    void decisionsTellTheNumbersCompared();
+    void planesGrowOverAllSlicesThatSeeThem();
+    void planesGrowAcrossGaps_data();
+    void planesGrowAcrossGaps();
+    void planesGrowToNoSegmentBesideThem();
+    void aMirroredScanHasTheMirroredPlanes();
+    void aTurnedScanHasTheTurnedPlanes();
+    void twoFacingSegmentsMakeAPlaneOfAPair();
+    void aPairNeedsFortyPoints();
+    void aPairSharesHalfOfTheShorter();
+    void segmentsThatAreNotParallelAreNoPair();
+    void theBestPartnerMakesThePair();
+};
+
+void SeedTracksTest::threeSlicesOfAPlaneMakeIt_data()
+{
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("y");
+    QTest::addColumn<double>("z");
+    QTest::addColumn<double>("distance");
+    QTest::addColumn<double>("tilt");
+
+    QTest::newRow("wall ahead") << 0.0 << 1.0 << 0.0 << 4.0 << 85.0;
+    QTest::newRow("wall turned by 30 degrees") << 0.5 << std::sqrt(0.75) << 0.0 << 3.0 << 95.0;
+    QTest::newRow("floor a metre below") << 0.0 << 0.0 << -1.0 << 1.0 << 40.0;
+    QTest::newRow("ceiling") << 0.0 << 0.0 << 1.0 << 1.6 << 130.0;
+    QTest::newRow("ramp") << 0.0 << std::sqrt(0.5) << -std::sqrt(0.5) << 2.0 << 70.0;
+    QTest::newRow("leaning out of all axes") << 2.0 / 7.0 << 6.0 / 7.0 << -3.0 / 7.0 << 2.5 << 80.0;
+}
+
+void SeedTracksTest::threeSlicesOfAPlaneMakeIt()
+{
+    QFETCH(const double, x);
+    QFETCH(const double, y);
+    QFETCH(const double, z);
+    QFETCH(const double, distance);
+    QFETCH(const double, tilt);
+    const Surface surface{{x, y, z}, distance, 320, 400};
+    NoddingScan scan;
+    scan.nod(3, {surface}, degrees(tilt));
+
+    seed(scan);
+
+    QCOMPARE(scan.map.planes().size(), std::size_t{1});
+    QVERIFY((scan.map.plane(0).members == Numbers{0, 1, 2}));
+    QVERIFY(apart(scan.map.plane(0).estimate, surface) < 1e-9);
+    QVERIFY(scan.map.plane(0).estimate.chi() < 1e-9);
+    QVERIFY(!scan.map.plane(0).ofPair);
+    QVERIFY(disagreement(scan.map).empty());
+}
+
+void SeedTracksTest::segmentsOnNoCommonPlaneMakeNone_data()
+{
+    QTest::addColumn<double>("offset");
+    QTest::addColumn<double>("turn");
+
+    QTest::newRow("the middle one 10 cm off") << 0.1 << 0.0;
+    QTest::newRow("the middle one 3 cm off") << 0.03 << 0.0;
+    QTest::newRow("the middle one turned by 3 degrees") << 0.0 << degrees(3.0);
+}
+
+void SeedTracksTest::segmentsOnNoCommonPlaneMakeNone()
+{
+    QFETCH(const double, offset);
+    QFETCH(const double, turn);
+    NoddingScan scan;
+    scan.nod(3, {kWall});
+    disturb(scan.map.segment(1).statistics, offset, turn);
+
+    seed(scan);
+
+    QVERIFY(scan.map.planes().empty());
+    QVERIFY(scan.recorded.report.decisions.empty());
+    for (SegmentNumber number = 0; number < 3; ++number)
+        QCOMPARE(scan.map.segment(number).owner, kNoPlane);
+}
+
+void SeedTracksTest::theGateIsTheOneOfTheParameters()
+{
+    NoddingScan scan;
+    scan.nod(3, {kWall});
+    disturb(scan.map.segment(1).statistics, 0.002, 0.0);
+    const double chi =
+        solvedFrom(PlaneEstimate(kWall.normal, kWall.distance), {0, 1, 2}, scan.map, scan.parameters.noise, 0.0).chi();
+    NoddingScan tighter = scan;
+    scan.parameters.likelihood.seedGate = 1.001 * chi;
+    tighter.parameters.likelihood.seedGate = 0.999 * chi;
+
+    seed(scan);
+    seed(tighter);
+
+    QCOMPARE(scan.map.planes().size(), std::size_t{1});
+    QVERIFY(tighter.map.planes().empty());
+}
+
+void SeedTracksTest::normalsThatAreNotKnownWellMakeNone()
+{
+    NoddingScan scan;
+    scan.nod(3, {kWall});
+    const double sigma = std::sqrt(
+        solvedFrom(PlaneEstimate(kWall.normal, kWall.distance), {0, 1, 2}, scan.map, scan.parameters.noise, 0.0)
+            .normalVariance());
+    NoddingScan tighter = scan;
+    scan.parameters.likelihood.seedAngle = 1.001 * sigma;
+    tighter.parameters.likelihood.seedAngle = 0.999 * sigma;
+
+    seed(scan);
+    seed(tighter);
+
+    QCOMPARE(scan.map.planes().size(), std::size_t{1});
+    QVERIFY(tighter.map.planes().empty());
+}
+
+void SeedTracksTest::twoSlicesMakeNone()
+{
+    NoddingScan scan;
+    scan.nod(2, {kWall, wallBy(410, 470)});
+
+    seed(scan);
+
+    QVERIFY(scan.map.planes().empty());
+}
+
+void SeedTracksTest::segmentsThatDoNotFaceEachOtherMakeNone()
+{
+    for (const int gap : {3, 4}) {
+        NoddingScan scan;
+        scan.see(degrees(85.0), {wallBy(300, 330)});
+        scan.see(degrees(86.2), {wallBy(330 + gap, 360 + gap)});
+        scan.see(degrees(87.4), {wallBy(360 + 2 * gap, 390 + 2 * gap)});
+
+        seed(scan);
+
+        QCOMPARE(scan.map.planes().size(), gap <= 3 ? std::size_t{1} : std::size_t{0});
+    }
+}
+
+void SeedTracksTest::segmentsOfPlanesMakeNoOther()
+{
+    NoddingScan scan;
+    scan.nod(3, {kWall, wallBy(410, 470)});
+    scan.makePlane({1, 2, 3, 5}, kWall);
+
+    seed(scan);
+
+    // Of the middle slice nothing is left to make a plane with.
+    QCOMPARE(scan.map.planes().size(), std::size_t{1});
+    QVERIFY((scan.map.plane(0).members == Numbers{1, 2, 3, 5}));
+}
+
+void SeedTracksTest::newestOfThreeIsOfTheSlicesAskedFor()
+{
+    NoddingScan scan;
+    scan.nod(4, {kWall});
+    scan.nod(2, {}, degrees(90.0));
+
+    seed(scan, 4);
+    QVERIFY(scan.map.planes().empty());
+    seed(scan, 3);
+
+    // Slice 3 is the newest of three, and slice 0 is grown into.
+    QCOMPARE(scan.map.planes().size(), std::size_t{1});
+    QCOMPARE(scan.map.plane(0).members.size(), std::size_t{4});
+}
+
+void SeedTracksTest::aPlaneMetAtAGrazingAngleIsNone_data()
+{
+    QTest::addColumn<double>("angle");
+    QTest::addColumn<bool>("made");
+
+    QTest::newRow("2.9 degrees") << 2.9 << false;
+    QTest::newRow("3.1 degrees") << 3.1 << true;
+}
+
+void SeedTracksTest::aPlaneMetAtAGrazingAngleIsNone()
+{
+    QFETCH(const double, angle);
+    QFETCH(const bool, made);
+    // Below a laser on the pitch axis a floor is met at the angle of the tilt below level.
+    const SensorModel centred{0.0, 0.1, 30.0};
+    NoddingScan scan;
+    scan.parameters.noise.pitch = degrees(0.01);
+    for (const double below : {angle + 0.6, angle + 0.3, angle}) {
+        const double tilt = degrees(90.0 - below);
+        const Trace trace = traceOf(-Eigen::Vector3d::UnitZ(), 0.2, frameOf(tilt, centred));
+        std::vector<Eigen::Vector2d> points;
+        for (int beam = 355; beam <= 365; ++beam)
+            points.push_back(trace.pointAt(kBearingStep * beam));
+        scan.map.append(sliceAt(scan.map.slices(), tilt), centred,
+                        std::vector{statisticsOf(points, 355, scan.parameters.noise)});
+    }
+
+    seed(scan);
+
+    QCOMPARE(scan.map.planes().size(), made ? std::size_t{1} : std::size_t{0});
+}
+
+void SeedTracksTest::slicesOfAHypothesisAreFarEnoughApartForThePitch_data()
+{
+    QTest::addColumn<double>("pitchSigma");
+    QTest::addColumn<int>("slices");
+
+    // Slices 0.1° apart; two standard deviations of the pitch lie between those of a hypothesis.
+    QTest::newRow("0.04 degrees: each slice") << 0.04 << 1;
+    QTest::newRow("0.12 degrees: each third") << 0.12 << 3;
+    QTest::newRow("0.32 degrees: each seventh") << 0.32 << 7;
+    QTest::newRow("0.72 degrees: each fifteenth") << 0.72 << 15;
+}
+
+void SeedTracksTest::slicesOfAHypothesisAreFarEnoughApartForThePitch()
+{
+    QFETCH(const double, pitchSigma);
+    QFETCH(const int, slices);
+    NoddingScan scan;
+    scan.parameters.noise.pitch = degrees(pitchSigma);
+    scan.parameters.likelihood.seedAngle = degrees(45.0);
+    scan.nod(2 * slices + 1, {kWall}, degrees(85.0), degrees(0.1));
+
+    seed(scan);
+
+    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
+    QCOMPARE(fits.size(), std::size_t{1});
+    QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, slices, 2 * slices}));
+    // One slice less is not enough.
+    NoddingScan fewer = scan;
+    fewer.map = {};
+    fewer.nod(2 * slices, {kWall}, degrees(85.0), degrees(0.1));
+    seed(fewer);
+    QVERIFY(fewer.map.planes().empty());
+}
+
+void SeedTracksTest::slicesTooNearForThePitchAreNoSecondChoice()
+{
+    // Slices 0.51° apart where the pitch is known to 0.7°: each third counts, and those are on no plane.
+    NoddingScan scan;
+    scan.parameters.noise.pitch = degrees(0.7);
+    scan.parameters.likelihood.seedAngle = degrees(45.0);
+    scan.nod(7, {kWall}, degrees(85.0), degrees(0.51));
+    for (SegmentNumber number = 0; number < 4; ++number)
+        disturb(scan.map.segment(number).statistics, 0.0, degrees(5.0 * number));
+
+    seed(scan);
+
+    QVERIFY(scan.map.planes().empty());
+}
+
+void SeedTracksTest::aHeadThatRestsMakesNoPlane()
+{
+    NoddingScan scan;
+    scan.nod(100, {kWall}, degrees(85.0), 0.0);
+
+    seed(scan);
+
+    QVERIFY(scan.map.planes().empty());
+}
+
+void SeedTracksTest::slicesTooNearToTellTheirPlaneGiveWayToFarther()
+{
+    // Slices 0.2° apart, a little more than twice the pitch's sigma; far off, three of them tell no normal to 3°.
+    NoddingScan scan;
+    scan.parameters.likelihood.seedAngle = degrees(3.0);
+    scan.nod(9, {kWall}, degrees(85.0), degrees(0.2));
+    const auto sigma = [&](const Numbers& members) {
+        return std::sqrt(
+            solvedFrom(PlaneEstimate(kWall.normal, kWall.distance), members, scan.map, scan.parameters.noise, 0.0)
+                .normalVariance());
+    };
+    QVERIFY(sigma({0, 1, 2}) > scan.parameters.likelihood.seedAngle);
+    QVERIFY(sigma({0, 3, 6}) < scan.parameters.likelihood.seedAngle);
+
+    seed(scan);
+
+    // Half a degree is next: three slices of 0.2°.
+    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
+    QCOMPARE(fits.size(), std::size_t{1});
+    QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, 3, 6}));
+    QCOMPARE(scan.map.plane(0).members.size(), std::size_t{9});
+}
+
+void SeedTracksTest::theBestSupportedPlaneComesFirst()
+{
+    NoddingScan scan;
+    scan.nod(3, {{Eigen::Vector3d::UnitX(), 2.0, 100, 120}, wallBy(300, 420), kSideWall});
+
+    seed(scan);
+
+    // 121, 61 and 21 beams.
+    QCOMPARE(scan.map.planes().size(), std::size_t{3});
+    QVERIFY(apart(scan.map.plane(0).estimate, kWall) < 1e-9);
+    QVERIFY(apart(scan.map.plane(1).estimate, kSideWall) < 1e-9);
+    QVERIFY(apart(scan.map.plane(2).estimate, {Eigen::Vector3d::UnitX(), 2.0}) < 1e-9);
+}
+
+void SeedTracksTest::decisionsTellTheNumbersCompared()
+{
+    NoddingScan scan;
+    scan.nod(3, {kWall});
+    disturb(scan.map.segment(1).statistics, 0.001, 0.0005);
+    const PlaneEstimate expected =
+        solvedFrom(PlaneEstimate(kWall.normal, kWall.distance), {0, 1, 2}, scan.map, scan.parameters.noise, 0.0);
+
+    seed(scan);
+
+    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
+    QCOMPARE(fits.size(), std::size_t{1});
+    QCOMPARE(planeOf(fits[0].result.at(0)), 0);
+    QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, 1, 2}));
+    QVERIFY(allPass(fits[0].tests));
+    const Test chi = testOf(fits[0].tests, "seed_chi2");
+    const Test sigma = testOf(fits[0].tests, "normal_sigma");
+    QVERIFY(std::abs(chi.value / expected.chi() - 1.0) < 1e-3);
+    QVERIFY(std::abs(sigma.value / std::sqrt(expected.normalVariance()) - 1.0) < 1e-3);
+    QCOMPARE(chi.limit, scan.parameters.likelihood.seedGate);
+    QCOMPARE(sigma.limit, scan.parameters.likelihood.seedAngle);
+}
+
+void SeedTracksTest::planesGrowOverAllSlicesThatSeeThem()
+{
+    // Fine steps: the three first segments are far apart, and others lie between, before and after them.
+    NoddingScan scan;
+    scan.nod(5, {}, degrees(84.0), degrees(0.2));
+    scan.nod(20, {kWall, kSideWall}, degrees(85.0), degrees(0.2));
+    scan.nod(5, {}, degrees(89.0), degrees(0.2));
+
+    seed(scan);
+
+    QCOMPARE(scan.map.planes().size(), std::size_t{2});
+    for (const PlaneTrack& plane : scan.map.planes())
+        QCOMPARE(plane.members.size(), std::size_t{20});
+    QVERIFY2(disagreement(scan.map).empty(), disagreement(scan.map).c_str());
+    QVERIFY(apart(scan.map.plane(0).estimate, kWall) < 1e-9);
+    QVERIFY(apart(scan.map.plane(1).estimate, kSideWall) < 1e-9);
+}
+
+void SeedTracksTest::planesGrowAcrossGaps_data()
+{
+    QTest::addColumn<int>("missing");
+    QTest::addColumn<double>("tiltStep");
+    QTest::addColumn<bool>("bridged");
+
+    QTest::newRow("one slice") << 1 << 1.16 << true;
+    QTest::newRow("two slices") << 2 << 1.16 << false;
+    QTest::newRow("two of a fine scan") << 2 << 0.25 << true;
+    QTest::newRow("three of a fine scan") << 3 << 0.25 << false;
+}
+
+void SeedTracksTest::planesGrowAcrossGaps()
+{
+    QFETCH(const int, missing);
+    QFETCH(const double, tiltStep);
+    QFETCH(const bool, bridged);
+    for (const bool atTheEnd : {false, true}) {
+        NoddingScan scan;
+        for (int k = 0; k < 12; ++k) {
+            const int fromTheEnd = atTheEnd ? 11 - k : k;
+            const bool hidden = fromTheEnd >= 1 && fromTheEnd <= missing;
+            scan.see(degrees(85.0 + k * tiltStep), hidden ? std::vector<Surface>{} : std::vector{kWall});
+        }
+
+        seed(scan);
+
+        QCOMPARE(scan.map.planes().size(), std::size_t{1});
+        const std::size_t visible = 12 - static_cast<std::size_t>(missing);
+        QCOMPARE(scan.map.plane(0).members.size(), bridged ? visible : visible - 1);
+    }
+}
+
+void SeedTracksTest::planesGrowToNoSegmentBesideThem()
+{
+    NoddingScan scan;
+    scan.nod(4, {kWall});
+    scan.see(degrees(85.0) + 4 * kTiltStep, {wallBy(330, 360, 0.1), wallBy(404, 440)});
+
+    seed(scan);
+
+    QVERIFY((scan.map.plane(0).members == Numbers{0, 1, 2, 3}));
+    QCOMPARE(scan.map.segment(4).owner, kNoPlane);
+    QCOMPARE(scan.map.segment(5).owner, kNoPlane);
+}
+
+void SeedTracksTest::aMirroredScanHasTheMirroredPlanes()
+{
+    const std::vector<Surface> surfaces{{Eigen::Vector3d{0.8, 0.6, 0.0}, 2.0, 100, 180},
+                                        {Eigen::Vector3d{0.1, 0.9, 0.2}.normalized(), 3.0, 250, 400},
+                                        {Eigen::Vector3d{-0.7, 0.7, -0.1}.normalized(), 2.5, 500, 550}};
+    NoddingScan scan;
+    NoddingScan mirror;
+    Random random(8);
+    for (int k = 0; k < 10; ++k) {
+        const double tilt = degrees(80.0) + k * kTiltStep;
+        const SegmentNumber first = scan.see(tilt, surfaces);
+        mirror.see(tilt, mirrored(surfaces));
+        for (int i = 0; i < 3; ++i) {
+            const double offset = 0.001 * random.normalPair().first;
+            disturb(scan.map.segment(first + i).statistics, offset, 0.0);
+            disturb(mirror.map.segment(first + 2 - i).statistics, offset, 0.0);
+        }
+    }
+
+    seed(scan);
+    seed(mirror);
+
+    QCOMPARE(scan.map.planes().size(), std::size_t{3});
+    QCOMPARE(mirror.map.planes().size(), std::size_t{3});
+    for (const PlaneId id : {0, 1, 2}) {
+        const PlaneEstimate& a = scan.map.plane(id).estimate;
+        Eigen::Vector3d normal = mirror.map.plane(id).estimate.normal();
+        normal.x() = -normal.x();
+        const Surface expected{normal, mirror.map.plane(id).estimate.distance()};
+        QVERIFY(apart(a, expected) < 1e-9);
+        QCOMPARE(scan.map.plane(id).members.size(), std::size_t{10});
+    }
+}
+
+void SeedTracksTest::aTurnedScanHasTheTurnedPlanes()
+{
+    // The head and the room turned together about the pitch axis: the scan is the same but for its tilts.
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(degrees(-25.0), Eigen::Vector3d::UnitX()).toRotationMatrix();
+    NoddingScan scan;
+    NoddingScan turned;
+    Random random(9);
+    for (int k = 0; k < 10; ++k) {
+        SegmentStatistics s = seen(kWall, degrees(85.0) + k * kTiltStep, scan.parameters.noise);
+        disturb(s, random);
+        scan.add(degrees(85.0) + k * kTiltStep, {s});
+        turned.add(degrees(60.0) + k * kTiltStep, {s});
+    }
+
+    seed(scan);
+    seed(turned);
+
+    QCOMPARE(scan.map.planes().size(), std::size_t{1});
+    QCOMPARE(turned.map.planes().size(), std::size_t{1});
+    const PlaneEstimate& plane = scan.map.plane(0).estimate;
+    QVERIFY(apart(turned.map.plane(0).estimate, {turn * plane.normal(), plane.distance()}) < 1e-9);
+    QVERIFY(turned.map.plane(0).members == scan.map.plane(0).members);
+}
+
+void SeedTracksTest::twoFacingSegmentsMakeAPlaneOfAPair()
+{
+    NoddingScan scan;
+    scan.nod(2, {kWall});
+
+    pair(scan);
+
+    QCOMPARE(scan.map.planes().size(), std::size_t{1});
+    QVERIFY(scan.map.plane(0).ofPair);
+    QVERIFY(apart(scan.map.plane(0).estimate, kWall) < 1e-9);
+    QVERIFY(disagreement(scan.map).empty());
+    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
+    QCOMPARE(fits.size(), std::size_t{1});
+    QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, 1}));
+    QVERIFY(allPass(fits[0].tests));
+    QVERIFY(testOf(fits[0].tests, "pair_chi2").value < 1e-9);
+    QCOMPARE(testOf(fits[0].tests, "pair_chi2").limit, scan.parameters.likelihood.apartGate);
+}
+
+void SeedTracksTest::aPairNeedsFortyPoints()
+{
+    for (const int lastBeam : {318, 319}) {
+        NoddingScan scan;
+        scan.nod(2, {wallBy(300, lastBeam)});
+
+        pair(scan);
+
+        QCOMPARE(scan.map.planes().size(), lastBeam == 319 ? std::size_t{1} : std::size_t{0});
+    }
+}
+
+void SeedTracksTest::aPairSharesHalfOfTheShorter()
+{
+    for (const int shared : {19, 20}) {
+        NoddingScan scan;
+        scan.see(degrees(85.0), {wallBy(300, 399)});
+        scan.see(degrees(86.2), {wallBy(400 - shared, 439 - shared)});
+
+        pair(scan);
+
+        QCOMPARE(scan.map.planes().size(), shared == 20 ? std::size_t{1} : std::size_t{0});
+    }
+}
+
+void SeedTracksTest::segmentsThatAreNotParallelAreNoPair()
+{
+    NoddingScan scan;
+    scan.nod(2, {kWall});
+    disturb(scan.map.segment(1).statistics, 0.0, degrees(3.0));
+
+    pair(scan);
+
+    QVERIFY(scan.map.planes().empty());
+}
+
+void SeedTracksTest::theBestPartnerMakesThePair()
+{
+    // Two pieces faced by one: of the wall, and of one turned by a degree.
+    NoddingScan scan;
+    scan.see(degrees(85.0), {wallBy(300, 340), wallBy(345, 400)});
+    disturb(scan.map.segment(0).statistics, 0.0, degrees(0.1));
+    scan.see(degrees(86.2), {wallBy(315, 385)});
+
+    pair(scan);
+
+    QCOMPARE(scan.map.planes().size(), std::size_t{1});
+    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
+    QCOMPARE(segmentOf(fits.at(0).operands.at(0)), (SegmentId{0, 1}));
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::SeedTracksTest)
+#include "seed_tracks_test.moc"
