@@ -33,8 +33,12 @@ constexpr double kGrazing = 0.02;
 constexpr double kSureSigmas = 2.0;
 /// Planes of more slices do not turn much any more.
 constexpr int kYoungSlices = 20;
-/// Points that a pair of segments must have.
-constexpr int kPairPoints = 40;
+/// Points that a pair of segments must have, or fewer where they fill this angle [rad].
+constexpr double kPairPoints = 40.0;
+constexpr double kPairAngle = degrees(10.0);
+/// Planes of rooms are parallel to this angle [rad]; χ² of a pair that is parallel to none.
+constexpr double kParallel = degrees(0.5);
+constexpr double kNoParallel = 13.8;
 
 struct Hypothesis {
     std::array<SegmentNumber, 3> segments{};
@@ -201,6 +205,57 @@ void grow(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, int st
     map.rebuild(plane, parameters);
 }
 
+/// Two facing segments of neighbouring slices. Any two parallel ones are on a plane, so that all that speaks for one
+/// pair rather than another is whether rooms have such planes: χ² (2 degrees of freedom) of its normal against that of
+/// the nearest known plane.
+struct PairHypothesis {
+    std::array<SegmentNumber, 2> segments{};
+    double chi = 0.0;
+    double parallelChi = kNoParallel;
+    PlaneEstimate estimate;
+};
+
+double parallelChi(const PlaneEstimate& estimate, const TrackMap& map, const Parameters& parameters)
+{
+    const double known = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
+    double least = kNoParallel;
+    for (const PlaneTrack& plane : map.planes()) {
+        const double variance = plane.estimate.normalVariance();
+        if (plane.ofPair || variance >= known)
+            continue;
+        const Eigen::Vector2d apart = estimate.tangents().transpose() * plane.estimate.normal();
+        const Eigen::Matrix2d covariance = estimate.covariance().topLeftCorner<2, 2>() +
+                                           (variance + kParallel * kParallel) * Eigen::Matrix2d::Identity();
+        least = std::min(least, apart.dot(covariance.inverse() * apart));
+    }
+    return least;
+}
+
+void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parameters,
+             std::vector<PairHypothesis>& hypotheses)
+{
+    const int from = map.firstBeam(number);
+    const int to = map.lastBeam(number);
+    const double fewest = std::min(kPairPoints, kPairAngle / map.bearingStep());
+    visitFree(map.segment(number).slice - 1, number, map, [&](SegmentNumber other) {
+        const int shared = std::min(to, map.lastBeam(other)) - std::max(from, map.firstBeam(other)) + 1;
+        const int shorter = std::min(to - from, map.lastBeam(other) - map.firstBeam(other)) + 1;
+        if (2 * shared < shorter ||
+            map.segment(other).statistics.points + map.segment(number).statistics.points < fewest)
+            return;
+        PairHypothesis hypothesis;
+        hypothesis.segments = {other, number};
+        if (!fitSegments(hypothesis.segments, map, parameters, hypothesis.estimate))
+            return;
+        hypothesis.chi = hypothesis.estimate.chi();
+        if (hypothesis.chi >= parameters.likelihood.apartGate ||
+            !surelyMet(number, hypothesis.estimate, map, parameters))
+            return;
+        hypothesis.parallelChi = parallelChi(hypothesis.estimate, map, parameters);
+        hypotheses.push_back(hypothesis);
+    });
+}
+
 /// Dissolves a plane that has turned into the slices that it is made of.
 bool dropGrazing(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
@@ -259,44 +314,31 @@ void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, Ste
 
 void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
-    const int step = map.slice(map.slices() - 1).step;
+    std::vector<PairHypothesis> hypotheses;
     for (int place = 1; place < map.slices(); ++place) {
         for (SegmentNumber number = map.slice(place).first; number < map.slice(place).end; ++number) {
-            if (map.segment(number).owner != kNoPlane)
-                continue;
-            const int from = map.firstBeam(number);
-            const int to = map.lastBeam(number);
-            SegmentNumber partner = -1;
-            PlaneEstimate estimate;
-            double best = parameters.likelihood.apartGate;
-            visitFree(place - 1, number, map, [&](SegmentNumber other) {
-                const int shared = std::min(to, map.lastBeam(other)) - std::max(from, map.firstBeam(other)) + 1;
-                const int shorter = std::min(to - from, map.lastBeam(other) - map.firstBeam(other)) + 1;
-                if (2 * shared < shorter ||
-                    map.segment(other).statistics.points + map.segment(number).statistics.points < kPairPoints)
-                    return;
-                PlaneEstimate two;
-                const std::array pair{other, number};
-                if (fitSegments(pair, map, parameters, two) && two.chi() < best &&
-                    surelyMet(number, two, map, parameters)) {
-                    best = two.chi();
-                    partner = other;
-                    estimate = two;
-                }
-            });
-            if (partner < 0)
-                continue;
-            PlaneTrack* plane = map.makePlane({partner, number}, estimate, step, parameters);
-            if (plane == nullptr)
-                continue;
-            if (recorder.explains())
-                recorder.decide(DecisionKind::Fit, {idOf(partner, map), idOf(number, map)},
-                                {{"pair_chi2", best, Comparison::Less, parameters.likelihood.apartGate}},
-                                {PlaneRef{plane->id}});
-            plane->ofPair = true;
-            grow(*plane, map, parameters, step);
-            dropGrazing(*plane, map, parameters, recorder);
+            if (map.segment(number).owner == kNoPlane)
+                pairsOf(number, map, parameters, hypotheses);
         }
+    }
+    std::stable_sort(hypotheses.begin(), hypotheses.end(),
+                     [](const PairHypothesis& a, const PairHypothesis& b) { return a.parallelChi < b.parallelChi; });
+    const int step = map.slice(map.slices() - 1).step;
+    for (const PairHypothesis& hypothesis : hypotheses) {
+        const auto& [a, b] = hypothesis.segments;
+        if (map.segment(a).owner != kNoPlane || map.segment(b).owner != kNoPlane)
+            continue;
+        PlaneTrack* plane = map.makePlane({a, b}, hypothesis.estimate, step, parameters);
+        if (plane == nullptr)
+            continue;
+        if (recorder.explains())
+            recorder.decide(DecisionKind::Fit, {idOf(a, map), idOf(b, map)},
+                            {{"pair_chi2", hypothesis.chi, Comparison::Less, parameters.likelihood.apartGate},
+                             {"parallel_chi2", hypothesis.parallelChi, Comparison::LessEqual, kNoParallel}},
+                            {PlaneRef{plane->id}});
+        plane->ofPair = true;
+        grow(*plane, map, parameters, step);
+        dropGrazing(*plane, map, parameters, recorder);
     }
 }
 
