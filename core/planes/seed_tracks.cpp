@@ -248,7 +248,7 @@ void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parame
         if (!fitSegments(hypothesis.segments, map, parameters, hypothesis.estimate))
             return;
         hypothesis.chi = hypothesis.estimate.chi();
-        if (hypothesis.chi >= parameters.likelihood.apartGate ||
+        if (hypothesis.chi >= parameters.likelihood.joinGate ||
             !surelyMet(number, hypothesis.estimate, map, parameters))
             return;
         hypothesis.parallelChi = parallelChi(hypothesis.estimate, map, parameters);
@@ -333,7 +333,7 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
             continue;
         if (recorder.explains())
             recorder.decide(DecisionKind::Fit, {idOf(a, map), idOf(b, map)},
-                            {{"pair_chi2", hypothesis.chi, Comparison::Less, parameters.likelihood.apartGate},
+                            {{"pair_chi2", hypothesis.chi, Comparison::Less, parameters.likelihood.joinGate},
                              {"parallel_chi2", hypothesis.parallelChi, Comparison::LessEqual, kNoParallel}},
                             {PlaneRef{plane->id}});
         plane->ofPair = true;
