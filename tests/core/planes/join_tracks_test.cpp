@@ -64,6 +64,7 @@ private slots:
     void theGateIsTheOneOfTheParameters();
     void theNearerOfTwoPlanesWins_data();
     void theNearerOfTwoPlanesWins();
+    void aNearSliceThatFitsWellIsEnough();
     void threeBeamsBesideAPlaneStillFaceIt();
     void oneSliceWithoutThePlaneIsBridgedAndTwoAreNot_data();
     void oneSliceWithoutThePlaneIsBridgedAndTwoAreNot();
@@ -146,6 +147,31 @@ void JoinTracksTest::theNearerOfTwoPlanesWins()
     joining.join();
 
     QCOMPARE(joining.lastOwner(), plane);
+}
+
+void JoinTracksTest::aNearSliceThatFitsWellIsEnough()
+{
+    // A segment lies on the wall that was hidden in the slice before, and beside another that was not.
+    const auto joining = [](double shift) {
+        Joining made({wallBy(300, 352, shift), wallBy(353, 405)}, 5);
+        made.see({wallBy(300, 352, shift)});
+        made.join();
+        made.see({wallBy(330, 380)});
+        return made;
+    };
+    for (const double chi : {3.9, 4.1}) {
+        // χ² goes with the square of the distance.
+        double shift = 0.01;
+        for (int round = 0; round < 8; ++round)
+            shift *= std::sqrt(chi / joining(shift).joinChi(0, 11));
+        Joining made = joining(shift);
+        QVERIFY(std::abs(made.joinChi(0, 11) - chi) < 0.01);
+        QVERIFY(made.joinChi(1, 11) < 0.01);
+
+        made.join();
+
+        QCOMPARE(made.lastOwner(), chi < 4.0 ? 0 : 1);
+    }
 }
 
 void JoinTracksTest::threeBeamsBesideAPlaneStillFaceIt()

@@ -81,6 +81,7 @@ private slots:
     void twentyBeamsApartIsSideBySide();
     void piecesOfAWallBecomeOneInOneGo();
     void aMergedPlaneMeetsTheOnesBefore();
+    void aMergedPlaneIsComparedAgainHoweverLittleItGrew();
     void aMergedPlaneIsThatOfAllItsSegments();
     void planesThatDidNotGrowAreNotComparedAgain();
     void planesAreSolvedBeforeTheyAreCompared();
@@ -303,6 +304,26 @@ void MergeTracksTest::aMergedPlaneMeetsTheOnesBefore()
 
     QVERIFY((merging.scan.planeIds() == Ids{0}));
     QCOMPARE(merging.scan.recorded.report.counts.merges, 2);
+}
+
+void MergeTracksTest::aMergedPlaneIsComparedAgainHoweverLittleItGrew()
+{
+    // A piece that is not known well enough for one across a gap, until a fifth more is beside it.
+    Merging merging({wallBy(250, 330), wallBy(400, 455), wallBy(457, 467)});
+    merging.scan.map.dissolve(2);
+    const double piece = std::sqrt(merging.plane(1).estimate.normalVariance());
+    Merging more({wallBy(400, 467)});
+    const double both = std::sqrt(more.plane(0).estimate.normalVariance());
+    QVERIFY(both < piece);
+    merging.scan.parameters.likelihood.mergeAngle = 0.5 * (both + piece);
+    merging.merge();
+    QCOMPARE(merging.scan.map.planes().size(), std::size_t{2});
+
+    merging.scan.makePlane(merging.scan.column(2, 0, 9), kWall);
+    merging.merge();
+
+    QVERIFY((merging.scan.planeIds() == Ids{0}));
+    QCOMPARE(merging.plane(0).members.size(), std::size_t{30});
 }
 
 void MergeTracksTest::aMergedPlaneIsThatOfAllItsSegments()

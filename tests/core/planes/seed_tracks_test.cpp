@@ -574,17 +574,19 @@ void SeedTracksTest::segmentsThatAreNotParallelAreNoPair()
 
 void SeedTracksTest::theBestPartnerMakesThePair()
 {
-    // Two pieces faced by one: of the wall, and of one turned by a degree.
-    NoddingScan scan;
-    scan.see(degrees(85.0), {wallBy(300, 340), wallBy(345, 400)});
-    disturb(scan.map.segment(0).statistics, 0.0, degrees(0.1));
-    scan.see(degrees(86.2), {wallBy(315, 385)});
+    // Two pieces of a wall faced by one, of which one is turned by a tenth of a degree.
+    for (const int turned : {0, 1}) {
+        NoddingScan scan;
+        scan.see(degrees(85.0), {wallBy(300, 345), wallBy(350, 395)});
+        disturb(scan.map.segment(turned).statistics, 0.0, degrees(0.1));
+        scan.see(degrees(86.2), {wallBy(315, 385)});
 
-    pair(scan);
+        pair(scan);
 
-    QCOMPARE(scan.map.planes().size(), std::size_t{1});
-    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
-    QCOMPARE(segmentOf(fits.at(0).operands.at(0)), (SegmentId{0, 1}));
+        const auto fits = scan.recorded.decisions(DecisionKind::Fit);
+        QCOMPARE(fits.size(), std::size_t{1});
+        QCOMPARE(segmentOf(fits[0].operands.at(0)), (SegmentId{0, 1 - turned}));
+    }
 }
 
 }  // namespace planewright

@@ -79,6 +79,7 @@ private slots:
     void joiningAnEarlierSliceKeepsTheOrder();
     void everyJoinIsAChange();
     void aPlaneThatGrewThreefoldIsLinearisedAnew();
+    void aPlaneThatTurnedIsLinearisedAnew();
     void anOldPlaneIsSolvedWithEveryFourthSlice();
     void rebuildLeavesOutWhatDoesNotCount();
     void rebuildForgetsWhereThePlaneWasSeen();
@@ -264,6 +265,7 @@ void TrackMapTest::aJoinedPlaneIsThatOfItsMembersAtOnce()
 void TrackMapTest::segmentsOfOneSliceMayJoinOneByOne()
 {
     NoddingScan together = noisyScan(kLeaning, 5, 3);
+    together.parameters.noise.systematic = 0.003;
     NoddingScan single = together;
     const PlaneId id = together.makePlane(numbersTo(6), kLeaning);
     QCOMPARE(single.makePlane(numbersTo(6), kLeaning), id);
@@ -323,6 +325,22 @@ void TrackMapTest::aPlaneThatGrewThreefoldIsLinearisedAnew()
     QVERIFY(plane.estimate.angleFromLinearisation() < 1e-3);
     QCOMPARE(plane.linearisedAt, std::int64_t{10 * 81});
     QVERIFY(apart(plane.estimate, kWall) < 1e-6);
+}
+
+void TrackMapTest::aPlaneThatTurnedIsLinearisedAnew()
+{
+    for (const double turn : {0.029, 0.031}) {
+        NoddingScan scan;
+        scan.nod(5, {kWall});
+        const Surface beside{Eigen::Vector3d{std::sin(turn), std::cos(turn), 0.0}, 4.0};
+        const PlaneId id = scan.makePlane({0, 1, 2, 3}, beside);
+
+        joinSlices(scan, id, 4, 4);
+
+        // Angles are told along the tangents: a turn by its tangent.
+        const double angle = scan.map.plane(id).estimate.angleFromLinearisation();
+        QVERIFY(turn < 0.03 ? std::abs(angle - std::tan(turn)) < 1e-4 : angle < 1e-3);
+    }
 }
 
 void TrackMapTest::anOldPlaneIsSolvedWithEveryFourthSlice()
