@@ -296,7 +296,7 @@ struct LikelihoodParameters {
             Parameter{"likelihood.join-gate", &LikelihoodParameters::joinGate, Unit::None, Range{1.0, 1000.0}, "",
                       "A segment joins a plane that it faces below this chi-square of 2 degrees of freedom."},
             Parameter{"likelihood.apart-gate", &LikelihoodParameters::apartGate, Unit::None, Range{0.1, 1000.0}, "",
-                      "The same for a plane that it does not face, and for pairs of segments as a plane."},
+                      "The same for a plane that it does not face."},
             Parameter{"likelihood.known-angle", &LikelihoodParameters::knownAngle, Unit::Angle,
                       Range{0.0, degrees(45.0)}, "",
                       "A plane is joined without facing it when its normal is known to this standard deviation."},

@@ -321,8 +321,9 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
                 pairsOf(number, map, parameters, hypotheses);
         }
     }
-    std::stable_sort(hypotheses.begin(), hypotheses.end(),
-                     [](const PairHypothesis& a, const PairHypothesis& b) { return a.parallelChi < b.parallelChi; });
+    std::stable_sort(hypotheses.begin(), hypotheses.end(), [](const PairHypothesis& a, const PairHypothesis& b) {
+        return std::pair{a.parallelChi, a.chi} < std::pair{b.parallelChi, b.chi};
+    });
     const int step = map.slice(map.slices() - 1).step;
     for (const PairHypothesis& hypothesis : hypotheses) {
         const auto& [a, b] = hypothesis.segments;
