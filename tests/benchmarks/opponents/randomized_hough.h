@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "tests/benchmarks/opponents/labelled_points.h"
+#include "tests/benchmarks/opponents/opponent.h"
+#include "tests/benchmarks/opponents/voxel_grid.h"
+
+namespace planewright {
+
+struct RandomizedHoughParameters {
+    ReductionParameters reduction{0.0, 3};
+    double maxDistance = 0.6;      ///< largest distance between the three points of a vote [m]
+    double cellAngle = 0.1;        ///< width of the accumulator's cells [rad]
+    double cellSigmas = 4.0;       ///< and in distance, in standard deviations at the median range
+    int votes = 5;                 ///< a cell with so many votes is a plane
+    double toleranceSigmas = 4.0;  ///< largest distance of a plane's points, in standard deviations at the median range
+    double gap = 0.0;              ///< a plane is one piece where gaps are below this [m]; 0 = gaps do not matter
+    int misses = 20;               ///< candidates in a row without a plane after which none is left
+    FinishParameters finish;
+};
+
+/// Randomised Hough transform with the ball accumulator (Borrmann, Elseberg, Lingemann and Nüchter 2011, algorithm 3)
+/// on a voxel grid: three points that are near to one another vote for their plane; when a cell has votes enough, the
+/// points on its plane are taken out and the votes forgotten.
+class RandomizedHough : public Opponent {
+public:
+    explicit RandomizedHough(const RandomizedHoughParameters& parameters = {}) : parameters_(parameters) {}
+    std::string_view name() const override { return "RHT"; }
+    OpponentResult extract(const PointScan& scan) const override;
+
+private:
+    RandomizedHoughParameters parameters_;
+};
+
+}  // namespace planewright
