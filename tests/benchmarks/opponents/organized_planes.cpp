@@ -3,6 +3,7 @@
 
 #include "tests/benchmarks/opponents/organized_planes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <pcl/point_cloud.h>
@@ -77,7 +78,11 @@ private:
 
 OpponentResult OrganizedPlanes::extract(const PointScan& scan) const
 {
-    const std::vector<Eigen::Vector3d> found = gridNormals(scan, parameters_.windowSlices, parameters_.windowBeams);
+    const auto reach = [](double angle, double step) {
+        return std::max(1, static_cast<int>(std::lround(angle / step)));
+    };
+    const std::vector<Eigen::Vector3d> found = gridNormals(scan, reach(parameters_.windowTilt, scan.tiltStep),
+                                                           reach(parameters_.windowBearing, scan.bearingStep));
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
     const auto cloud = pcl::make_shared<Cloud>(static_cast<unsigned>(scan.beams), static_cast<unsigned>(scan.slices),
                                                pcl::PointXYZ(kNone, kNone, kNone));

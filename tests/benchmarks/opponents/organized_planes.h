@@ -3,19 +3,20 @@
 
 #pragma once
 
+#include "core/types/angle.h"
 #include "tests/benchmarks/opponents/labelled_points.h"
 #include "tests/benchmarks/opponents/opponent.h"
 
 namespace planewright {
 
 struct OrganizedPlanesParameters {
-    int windowSlices = 1;         ///< a normal's window reaches so many slices before and after
-    int windowBeams = 6;          ///< and so many beams to both sides
-    double angle = 0.05;          ///< largest angle between the normals of neighbours on one plane [rad]
+    double windowTilt = degrees(1.16);    ///< how far a normal's window reaches to both sides, one slice at least [rad]
+    double windowBearing = degrees(1.5);  ///< and across, one beam at least [rad]
+    double angle = 0.05;                  ///< largest angle between the normals of neighbours on one plane [rad]
     double distanceSigmas = 3.0;  ///< largest distance of a neighbour from the plane of a point, in standard deviations
-    double refineSigmas = 3.0;    ///< the same when planes are grown into their surroundings afterwards
-    double maxCurvature = 0.02;   ///< largest smallest eigenvalue of a plane's scatter, as a share of all three
-    double least = 0.7;           ///< least returns of a piece, in smallest planes worth finding
+    double refineSigmas = 2.0;    ///< the same when planes are grown into their surroundings afterwards
+    double maxCurvature = 0.005;  ///< largest smallest eigenvalue of a plane's scatter, as a share of all three
+    double least = 1.0;           ///< least returns of a piece, in smallest planes worth finding
     FinishParameters finish;
 };
 

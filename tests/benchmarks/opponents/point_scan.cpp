@@ -47,10 +47,10 @@ PointScan pointScanOf(const Recording& recording, const SimulationNoise& noise)
         std::nth_element(ranges.begin(), middle, ranges.end());
         scan.medianRange = *middle;
     }
-    const double tiltStep =
-        scan.slices < 2 ? 1.0
-                        : std::abs(recording.slices.back().tilt - recording.slices.front().tilt) / (scan.slices - 1);
-    const double beamSolidAngle = recording.description.bearingStep * tiltStep;
+    scan.bearingStep = recording.description.bearingStep;
+    if (scan.slices > 1)
+        scan.tiltStep = std::abs(recording.slices.back().tilt - recording.slices.front().tilt) / (scan.slices - 1);
+    const double beamSolidAngle = scan.bearingStep * scan.tiltStep;
     scan.minReturns = std::max<std::int64_t>(
         12, static_cast<std::int64_t>(LikelihoodParameters{}.minSolidAngle / std::max(beamSolidAngle, 1e-9)));
     return scan;

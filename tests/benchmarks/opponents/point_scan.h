@@ -25,6 +25,8 @@ struct PointScan {
     std::vector<int> grid;   ///< point of (slice, beam), or −1 without return: slice · beams + beam
     int slices = 0;
     int beams = 0;
+    double tiltStep = 0.0;        ///< between slices [rad]
+    double bearingStep = 0.0;     ///< between beams [rad]
     SimulationNoise noise;        ///< the true noise: opponents are told what nobody has to tell the product
     double medianRange = 0.0;     ///< [m]
     std::int64_t minReturns = 0;  ///< returns that a plane of the smallest solid angle worth finding has

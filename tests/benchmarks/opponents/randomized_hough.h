@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/types/angle.h"
 #include "tests/benchmarks/opponents/labelled_points.h"
 #include "tests/benchmarks/opponents/opponent.h"
 #include "tests/benchmarks/opponents/voxel_grid.h"
@@ -10,12 +11,12 @@
 namespace planewright {
 
 struct RandomizedHoughParameters {
-    ReductionParameters reduction{0.0, 3};
-    double maxDistance = 0.6;      ///< largest distance between the three points of a vote [m]
-    double cellAngle = 0.1;        ///< width of the accumulator's cells [rad]
+    ReductionParameters reduction{0.0, degrees(0.5)};
+    double maxDistance = 0.45;     ///< largest distance between the three points of a vote [m]
+    double cellAngle = 0.07;       ///< width of the accumulator's cells [rad]
     double cellSigmas = 4.0;       ///< and in distance, in standard deviations at the median range
     int votes = 5;                 ///< a cell with so many votes is a plane
-    double toleranceSigmas = 4.0;  ///< largest distance of a plane's points, in standard deviations at the median range
+    double toleranceSigmas = 2.5;  ///< largest distance of a plane's points, in standard deviations at the median range
     double gap = 0.0;              ///< a plane is one piece where gaps are below this [m]; 0 = gaps do not matter
     int misses = 20;               ///< candidates in a row without a plane after which none is left
     FinishParameters finish;

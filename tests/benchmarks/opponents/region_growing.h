@@ -10,9 +10,9 @@
 namespace planewright {
 
 struct RegionGrowingParameters {
-    ReductionParameters reduction{0.03, 0};
+    ReductionParameters reduction{0.03, 0.0};
     int normalNeighbours = 16;  ///< points that a normal is estimated from
-    int neighbours = 12;        ///< points that a region may grow to from one
+    int neighbours = 18;        ///< points that a region may grow to from one
     double toleranceSigmas =
         3.0;                   ///< largest distance to the region's plane, in standard deviations at the median range
     double normalAngle = 0.6;  ///< largest angle of a point's normal to the plane's [rad]

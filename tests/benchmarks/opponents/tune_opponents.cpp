@@ -78,13 +78,15 @@ Row<Parameters> row(const char* name, int Parameters::*member, std::vector<doubl
 template <class Parameters>
 Row<Parameters> voxel(std::vector<double> values)
 {
-    return {"voxel", [](Parameters& p, double value) { p.reduction = {value, 0}; }, std::move(values)};
+    return {"voxel", [](Parameters& p, double value) { p.reduction = {value, 0.0}; }, std::move(values)};
 }
 
 template <class Parameters>
-Row<Parameters> beams()
+Row<Parameters> bearing()
 {
-    return {"beams", [](Parameters& p, double value) { p.reduction.beams = static_cast<int>(value); }, {2, 3, 4, 6, 8}};
+    return {"bearing",
+            [](Parameters& p, double value) { p.reduction.bearing = degrees(value); },
+            {0.5, 0.75, 1.0, 1.5, 2.0}};
 }
 
 template <class Parameters>
@@ -109,7 +111,7 @@ std::vector<Setting> settingsFor(const std::string& opponent)
 {
     if (opponent == "prosac-only") {
         using P = ProsacOnlyParameters;
-        return settingsOf<ProsacOnly, P>({voxel<P>({0.04, 0.08, 0.1, 0.15}), beams<P>(),
+        return settingsOf<ProsacOnly, P>({voxel<P>({0.04, 0.08, 0.1, 0.15}), bearing<P>(),
                                           row("tolerance", &P::toleranceSigmas, {1.5, 2.0, 2.5, 4.0}),
                                           row("iterations", &P::iterations, {100, 300, 2000}),
                                           support<P>({1.5, 2.0, 3.0, 5.0}), mergeAngle<P>(), mergeSigmas<P>()});
@@ -117,7 +119,7 @@ std::vector<Setting> settingsFor(const std::string& opponent)
     if (opponent == "prosac-normal") {
         using P = ProsacNormalParameters;
         return settingsOf<ProsacNormal, P>(
-            {voxel<P>({0.04, 0.05, 0.08, 0.1}), beams<P>(), row("neighbours", &P::neighbours, {10, 24, 40, 60}),
+            {voxel<P>({0.04, 0.05, 0.08, 0.1}), bearing<P>(), row("neighbours", &P::neighbours, {10, 24, 40, 60}),
              row("angle", &P::clusterAngle, {0.2, 0.25, 0.5}), row("gap", &P::gap, {0.1, 0.2, 0.35, 0.5, 0.8}),
              row("tolerance", &P::toleranceSigmas, {1.5, 2.0, 4.0}),
              row("iterations", &P::iterations, {100, 200, 1000}), support<P>({0.7, 1.5, 2.0}), mergeAngle<P>(),
@@ -126,7 +128,7 @@ std::vector<Setting> settingsFor(const std::string& opponent)
     if (opponent == "rht") {
         using P = RandomizedHoughParameters;
         return settingsOf<RandomizedHough, P>(
-            {voxel<P>({0.04, 0.08, 0.1}), beams<P>(), row("max-distance", &P::maxDistance, {0.3, 0.45, 0.8, 1.2}),
+            {voxel<P>({0.04, 0.08, 0.1}), bearing<P>(), row("max-distance", &P::maxDistance, {0.3, 0.45, 0.8, 1.2}),
              row("angle", &P::cellAngle, {0.035, 0.07, 0.14, 0.2}), row("cell", &P::cellSigmas, {2.0, 8.0, 12.0}),
              row("votes", &P::votes, {3, 4, 8, 20}), row("tolerance", &P::toleranceSigmas, {2.0, 3.0, 5.0}),
              row("gap", &P::gap, {0.1, 0.2, 0.35, 0.5, 0.8}), row("misses", &P::misses, {10, 40, 80}),
@@ -135,16 +137,17 @@ std::vector<Setting> settingsFor(const std::string& opponent)
     if (opponent == "organized") {
         using P = OrganizedPlanesParameters;
         return settingsOf<OrganizedPlanes, P>(
-            {row("slices", &P::windowSlices, {2, 3}), row("beams", &P::windowBeams, {3, 4, 8, 12}),
+            {row("tilt", &P::windowTilt, {degrees(2.32), degrees(3.48)}),
+             row("bearing", &P::windowBearing, {degrees(0.75), degrees(1.0), degrees(2.0), degrees(3.0)}),
              row("angle", &P::angle, {0.03, 0.04, 0.07, 0.1, 0.2}),
              row("distance", &P::distanceSigmas, {2.0, 2.5, 4.0}), row("refine", &P::refineSigmas, {2.0, 4.0}),
-             row("curvature", &P::maxCurvature, {0.005, 0.01, 0.04}), row("least", &P::least, {0.3, 0.5, 1.0}),
+             row("curvature", &P::maxCurvature, {0.002, 0.003, 0.01}), row("least", &P::least, {0.3, 0.5, 1.0}),
              support<P>({0.3, 0.5, 1.0}), mergeAngle<P>(), mergeSigmas<P>()});
     }
     if (opponent == "efficient-ransac") {
         using P = EfficientRansacParameters;
         return settingsOf<EfficientRansac, P>(
-            {voxel<P>({0.03, 0.04, 0.05, 0.08}), beams<P>(), row("neighbours", &P::neighbours, {8, 12, 24, 40}),
+            {voxel<P>({0.03, 0.04, 0.05, 0.08}), bearing<P>(), row("neighbours", &P::neighbours, {8, 12, 24, 40}),
              row("tolerance", &P::toleranceSigmas, {1.5, 2.0, 2.5, 4.0}),
              row("gap", &P::gap, {0.1, 0.2, 0.35, 0.5, 0.8}), row("angle", &P::normalAngle, {0.3, 0.4, 0.7, 0.9}),
              row("min-points", &P::minPoints, {10, 15, 30, 50}), row("probability", &P::probability, {0.001, 0.05}),
@@ -152,7 +155,7 @@ std::vector<Setting> settingsFor(const std::string& opponent)
     }
     using P = RegionGrowingParameters;
     return settingsOf<RegionGrowing, P>(
-        {voxel<P>({0.02, 0.03, 0.06, 0.08}), beams<P>(),
+        {voxel<P>({0.02, 0.03, 0.06, 0.08}), bearing<P>(),
          row("normal-neighbours", &P::normalNeighbours, {10, 24, 40, 60}),
          row("neighbours", &P::neighbours, {8, 18, 24, 36}), row("tolerance", &P::toleranceSigmas, {2.0, 2.5, 4.0}),
          row("angle", &P::normalAngle, {0.2, 0.3, 0.6, 0.8}), row("min-points", &P::minPoints, {10, 15, 30, 50}),

@@ -3,6 +3,7 @@
 
 #include "tests/benchmarks/opponents/voxel_grid.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -56,8 +57,9 @@ VoxelGrid voxelGridOf(const std::vector<Eigen::Vector3d>& points, double edge)
 
 VoxelGrid reduced(const PointScan& scan, const ReductionParameters& parameters)
 {
-    if (parameters.beams <= 0)
+    if (parameters.bearing <= 0.0)
         return voxelGridOf(scan.points, parameters.voxel);
+    const int beams = std::max(1, static_cast<int>(std::lround(parameters.bearing / scan.bearingStep)));
     VoxelGrid grid;
     grid.voxelOf.reserve(scan.points.size());
     int slice = -1;
@@ -70,8 +72,7 @@ VoxelGrid reduced(const PointScan& scan, const ReductionParameters& parameters)
         const double bearing = std::acos(scan.points[i].x() / range);
         const double jump =
             kSteepest * firstRange * std::abs(bearing - firstBearing) + 4.0 * scan.noise.rangeSigma(range);
-        if (scan.slice[i] != slice || scan.beam[i] >= firstBeam + parameters.beams ||
-            std::abs(range - firstRange) > jump) {
+        if (scan.slice[i] != slice || scan.beam[i] >= firstBeam + beams || std::abs(range - firstRange) > jump) {
             slice = scan.slice[i];
             firstBeam = scan.beam[i];
             firstRange = range;

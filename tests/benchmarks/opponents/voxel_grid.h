@@ -24,9 +24,9 @@ VoxelGrid voxelGridOf(const std::vector<Eigen::Vector3d>& points, double edge);
 
 /// How a scan is reduced before planes are looked for.
 struct ReductionParameters {
-    double voxel = 0.06;  ///< edge of cubes [m]
-    int beams = 0;  ///< or so many neighbouring beams of a slice make a voxel, whose size then grows with range; 0 =
-                    ///< cubes
+    double voxel = 0.06;   ///< edge of cubes [m]
+    double bearing = 0.0;  ///< or the neighbouring beams of a slice within this angle make a voxel, whose size then
+                           ///< grows with range [rad]; 0 = cubes
 };
 
 /// The scan's voxels.

@@ -214,7 +214,7 @@ void writeOpponents(Report& report, const ExperimentPlan& plan, const std::vecto
         times.series.push_back(std::move(series));
     }
     Chart bars;
-    bars.title = "Mean errors of the planes found";
+    bars.title = "Median errors of the planes found";
     bars.yTitle = "mrad, mm";
     ChartSeries angles{"normal [mrad]", {}, {}, Style::Bars, 0};
     ChartSeries distances{"distance [mm]", {}, {}, Style::Bars, 1};
@@ -226,17 +226,18 @@ void writeOpponents(Report& report, const ExperimentPlan& plan, const std::vecto
             ofDistance.push_back(1000.0 * plane.distance);
         }
         angles.x.push_back(static_cast<double>(m));
-        angles.y.push_back(meanOf(ofAngle));
+        angles.y.push_back(median(ofAngle));
         distances.x.push_back(static_cast<double>(m));
-        distances.y.push_back(meanOf(ofDistance));
+        distances.y.push_back(median(ofDistance));
         std::string label = names[m];
         if (label.rfind("CGAL ", 0) == 0 || label.rfind("PCL ", 0) == 0)
             label = label.substr(label.find(' ') + 1);
         bars.xLabels.push_back(label);
     }
     bars.series = {angles, distances};
-    report.figure("fig-20", "Fig. 20: time of each scan (" + std::to_string(scans.size()) + " scans), and mean errors.",
-                  {times, bars});
+    report.figure("fig-20",
+                  "Fig. 20: time of each scan (" + std::to_string(scans.size()) + " scans), and median errors.",
+                  {times, bars}, 1150);
     writeCase(report, "Planes found, " + plan.settings + ", default noise", scans);
 
     std::vector<std::vector<std::string>> byScene;

@@ -37,10 +37,10 @@ void Report::table(const std::string& caption, const std::vector<std::string>& h
     markdown_ += "\n";
 }
 
-void Report::figure(const std::string& name, const std::string& caption, const std::vector<Chart>& charts)
+void Report::figure(const std::string& name, const std::string& caption, const std::vector<Chart>& charts, int width)
 {
     const std::string file = name + ".png";
-    if (!writeCharts(charts, folder_ + "/" + file)) {
+    if (!writeCharts(charts, folder_ + "/" + file, width)) {
         std::fprintf(stderr, "paper_report: the figure %s could not be drawn\n", file.c_str());
         failed_ = true;
     }

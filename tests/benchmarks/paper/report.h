@@ -23,7 +23,7 @@ public:
                const std::vector<std::vector<std::string>>& rows);
 
     /// Charts below one another in one picture, `name`.png.
-    void figure(const std::string& name, const std::string& caption, const std::vector<Chart>& charts);
+    void figure(const std::string& name, const std::string& caption, const std::vector<Chart>& charts, int width = 900);
 
     /// Writes report.md. False where that or a figure failed.
     bool write() const;
