@@ -44,6 +44,9 @@ constexpr std::array<std::array<unsigned char, 3>, 8> kPalette{{{0, 114, 178},
                                                                 {70, 70, 70},
                                                                 {150, 110, 60}}};
 
+/// A legend of more series stands beside the plot.
+constexpr std::size_t kShortLegend = 6;
+
 void setUpAxis(vtkAxis& axis, const std::string& title, bool logarithmic)
 {
     axis.SetTitle(title);
@@ -108,7 +111,10 @@ void setUp(vtkChartXY& chart, const Chart& content)
     chart.GetTitleProperties()->SetFontSize(17);
     chart.GetTitleProperties()->SetBold(1);
     chart.SetShowLegend(content.legend && content.series.size() > 1);
-    chart.GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
+    // A long legend stands beside the plot; a short one has room above the curves.
+    const bool beside = content.series.size() > kShortLegend;
+    chart.GetLegend()->SetInline(!beside);
+    chart.GetLegend()->SetHorizontalAlignment(beside ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
     chart.GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
     chart.GetLegend()->SetLabelSize(13);
     vtkAxis& bottom = *chart.GetAxis(vtkAxis::BOTTOM);
@@ -131,9 +137,9 @@ void setUp(vtkChartXY& chart, const Chart& content)
         return;
     if (!content.logY)
         lowY = std::min(lowY, 0.0);
-    // The legend lies above the curves.
-    const double room =
-        content.legend && content.series.size() > 1 ? 0.08 + 0.075 * static_cast<double>(content.series.size()) : 0.06;
+    const double room = content.legend && content.series.size() > 1 && !beside
+                            ? 0.08 + 0.075 * static_cast<double>(content.series.size())
+                            : 0.06;
     const double spanX = std::max(highX - lowX, 1e-9);
     const double spanY = std::max(highY - lowY, 1e-9);
     const bool bars = !content.xLabels.empty();

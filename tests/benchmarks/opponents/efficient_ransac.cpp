@@ -44,7 +44,7 @@ OpponentResult EfficientRansac::extract(const PointScan& scan) const
     limits.probability = parameters_.probability;
     limits.min_points = static_cast<std::size_t>(parameters_.minPoints);
     limits.epsilon = parameters_.toleranceSigmas * placeSigma(scan);
-    limits.cluster_epsilon = parameters_.gap;
+    limits.cluster_epsilon = parameters_.gap * scan.spacing();
     limits.normal_threshold = std::cos(parameters_.normalAngle);
     ransac.detect(limits);
 
@@ -56,9 +56,7 @@ OpponentResult EfficientRansac::extract(const PointScan& scan) const
             continue;
         for (const std::size_t i : plane->indices_of_assigned_points())
             voxelLabels[std::get<2>(points[i])] = static_cast<int>(result.planes.size());
-        const Kernel::Vector_3 n = plane->plane_normal();
-        const Eigen::Vector3d normal = Eigen::Vector3d{n.x(), n.y(), n.z()}.normalized();
-        result.planes.push_back({normal, 0.0});  // its distance is that of the fit below
+        result.planes.emplace_back();  // fitted below
     }
     result.labels = pointLabels(grid, voxelLabels);
     finishPlanes(scan, parameters_.finish, result);

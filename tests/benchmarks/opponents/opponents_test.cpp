@@ -10,9 +10,9 @@
 #include "core/types/angle.h"
 #include "tests/benchmarks/opponents/ball_accumulator.h"
 #include "tests/benchmarks/opponents/connected_voxels.h"
-#include "tests/benchmarks/opponents/judged.h"
 #include "tests/benchmarks/opponents/labelled_points.h"
 #include "tests/benchmarks/opponents/normal_clusters.h"
+#include "tests/benchmarks/opponents/opponent_run.h"
 
 namespace planewright {
 namespace {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -39,6 +40,9 @@ struct PointScan {
 
     /// Standard deviation of a range at the median range [m]: the scale of the noise.
     double sigma() const { return noise.rangeSigma(medianRange); }
+
+    /// Distance between neighbouring slices at the median range [m]: the scale of the sampling.
+    double spacing() const { return medianRange * std::max(tiltStep, bearingStep); }
 
     /// Standard deviation of a point's distance to a plane of this unit normal [m], by range and pitch noise.
     double sigmaAcross(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;

@@ -26,7 +26,7 @@ OpponentResult ProsacNormal::extract(const PointScan& scan) const
     for (std::vector<int>& cluster : clustersOfNormals(normals.normals, parameters_.clusterAngle, kSmallestCluster)) {
         std::vector<std::vector<int>> groups;
         if (parameters_.gap > 0.0)
-            groups = connectedGroups(grid.means, cluster, parameters_.gap);
+            groups = connectedGroups(grid.means, cluster, parameters_.gap * scan.spacing());
         else
             groups.push_back(std::move(cluster));
         for (std::vector<int>& group : groups) {

@@ -12,9 +12,9 @@ namespace planewright {
 
 struct ProsacNormalParameters {
     ReductionParameters reduction{0.0, degrees(0.5)};
-    int neighbours = 10;           ///< voxels that a normal is estimated from
-    double clusterAngle = 0.35;    ///< largest angle of a normal to its cluster's direction [rad]
-    double gap = 0.1;              ///< a cluster is one piece where gaps are below this [m]; 0 = gaps do not matter
+    int neighbours = 10;         ///< voxels that a normal is estimated from
+    double clusterAngle = 0.35;  ///< largest angle of a normal to its cluster's direction [rad]
+    double gap = 2.0;  ///< a cluster is one piece where gaps are below this, in spacings; 0 = gaps do not matter
     double toleranceSigmas = 3.0;  ///< largest distance of an inlier, in standard deviations at the median range
     int iterations = 500;          ///< most hypotheses of a plane
     FinishParameters finish{1.5, 0.1, 3.0};

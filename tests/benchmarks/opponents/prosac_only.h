@@ -10,7 +10,7 @@
 namespace planewright {
 
 struct ProsacOnlyParameters {
-    ReductionParameters reduction{0.1, 0.0};
+    ReductionParameters reduction{4.75, 0.0};
     double toleranceSigmas = 3.0;  ///< largest distance of an inlier, in standard deviations at the median range
     int iterations = 1000;         ///< most hypotheses of a plane
     FinishParameters finish{1.5, 0.1, 3.0};

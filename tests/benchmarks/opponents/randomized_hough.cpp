@@ -56,7 +56,7 @@ OpponentResult RandomizedHough::extract(const PointScan& scan) const
     const auto minReturns =
         static_cast<std::int64_t>(parameters_.finish.support * static_cast<double>(scan.minReturns));
 
-    NeighbourPicker picker(grid.means, parameters_.maxDistance);
+    NeighbourPicker picker(grid.means, parameters_.maxDistance * scan.spacing());
     BallAccumulator accumulator(parameters_.cellAngle, parameters_.cellSigmas * sigma, farthest);
     Random random(1);
     OpponentResult result;
@@ -88,12 +88,12 @@ OpponentResult RandomizedHough::extract(const PointScan& scan) const
         std::vector<int> members = within(grid.means, picker.left(), plane, 2.0 * tolerance);
         for (int iteration = 0; iteration < 2 && members.size() >= 3; ++iteration) {
             if (parameters_.gap > 0.0)
-                members = connectedGroups(grid.means, members, parameters_.gap).front();
+                members = connectedGroups(grid.means, members, parameters_.gap * scan.spacing()).front();
             plane = leastSquares(grid.means, members);
             members = within(grid.means, picker.left(), plane, tolerance);
         }
         if (parameters_.gap > 0.0 && !members.empty())
-            members = connectedGroups(grid.means, members, parameters_.gap).front();
+            members = connectedGroups(grid.means, members, parameters_.gap * scan.spacing()).front();
         std::int64_t returns = 0;
         for (const int member : members)
             returns += grid.counts[static_cast<std::size_t>(member)];

@@ -12,13 +12,13 @@ namespace planewright {
 
 struct RandomizedHoughParameters {
     ReductionParameters reduction{0.0, degrees(0.5)};
-    double maxDistance = 0.45;     ///< largest distance between the three points of a vote [m]
+    double maxDistance = 6.0;      ///< largest distance between the three points of a vote, in spacings
     double cellAngle = 0.07;       ///< width of the accumulator's cells [rad]
     double cellSigmas = 4.0;       ///< and in distance, in standard deviations at the median range
     int votes = 5;                 ///< a cell with so many votes is a plane
     double toleranceSigmas = 2.5;  ///< largest distance of a plane's points, in standard deviations at the median range
-    double gap = 0.0;              ///< a plane is one piece where gaps are below this [m]; 0 = gaps do not matter
-    int misses = 20;               ///< candidates in a row without a plane after which none is left
+    double gap = 5.0;  ///< a plane is one piece where gaps are below this, in spacings; 0 = gaps do not matter
+    int misses = 20;   ///< candidates in a row without a plane after which none is left
     FinishParameters finish;
 };
 

@@ -10,7 +10,7 @@
 namespace planewright {
 
 struct RegionGrowingParameters {
-    ReductionParameters reduction{0.03, 0.0};
+    ReductionParameters reduction{3.5, 0.0};
     int normalNeighbours = 16;  ///< points that a normal is estimated from
     int neighbours = 18;        ///< points that a region may grow to from one
     double toleranceSigmas =

@@ -15,7 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tests/benchmarks/opponents/efficient_ransac.h"
-#include "tests/benchmarks/opponents/judged.h"
+#include "tests/benchmarks/opponents/opponent_run.h"
 #include "tests/benchmarks/opponents/organized_planes.h"
 #include "tests/benchmarks/opponents/prosac_normal.h"
 #include "tests/benchmarks/opponents/prosac_only.h"
@@ -111,7 +111,7 @@ std::vector<Setting> settingsFor(const std::string& opponent)
 {
     if (opponent == "prosac-only") {
         using P = ProsacOnlyParameters;
-        return settingsOf<ProsacOnly, P>({voxel<P>({0.04, 0.08, 0.1, 0.15}), bearing<P>(),
+        return settingsOf<ProsacOnly, P>({voxel<P>({2.5, 3.5, 4.75, 7.0, 12.0}), bearing<P>(),
                                           row("tolerance", &P::toleranceSigmas, {1.5, 2.0, 2.5, 4.0}),
                                           row("iterations", &P::iterations, {100, 300, 2000}),
                                           support<P>({1.5, 2.0, 3.0, 5.0}), mergeAngle<P>(), mergeSigmas<P>()});
@@ -119,8 +119,8 @@ std::vector<Setting> settingsFor(const std::string& opponent)
     if (opponent == "prosac-normal") {
         using P = ProsacNormalParameters;
         return settingsOf<ProsacNormal, P>(
-            {voxel<P>({0.04, 0.05, 0.08, 0.1}), bearing<P>(), row("neighbours", &P::neighbours, {10, 24, 40, 60}),
-             row("angle", &P::clusterAngle, {0.2, 0.25, 0.5}), row("gap", &P::gap, {0.1, 0.2, 0.35, 0.5, 0.8}),
+            {voxel<P>({2.5, 3.5, 4.75, 7.0, 12.0}), bearing<P>(), row("neighbours", &P::neighbours, {10, 24, 40, 60}),
+             row("angle", &P::clusterAngle, {0.2, 0.25, 0.5}), row("gap", &P::gap, {0.0, 1.5, 2.0, 3.0, 5.0, 8.0}),
              row("tolerance", &P::toleranceSigmas, {1.5, 2.0, 4.0}),
              row("iterations", &P::iterations, {100, 200, 1000}), support<P>({0.7, 1.5, 2.0}), mergeAngle<P>(),
              mergeSigmas<P>()});
@@ -128,10 +128,11 @@ std::vector<Setting> settingsFor(const std::string& opponent)
     if (opponent == "rht") {
         using P = RandomizedHoughParameters;
         return settingsOf<RandomizedHough, P>(
-            {voxel<P>({0.04, 0.08, 0.1}), bearing<P>(), row("max-distance", &P::maxDistance, {0.3, 0.45, 0.8, 1.2}),
+            {voxel<P>({2.5, 3.5, 4.75, 7.0, 12.0}), bearing<P>(),
+             row("max-distance", &P::maxDistance, {3.0, 4.0, 5.0, 6.0, 8.0}),
              row("angle", &P::cellAngle, {0.035, 0.07, 0.14, 0.2}), row("cell", &P::cellSigmas, {2.0, 8.0, 12.0}),
              row("votes", &P::votes, {3, 4, 8, 20}), row("tolerance", &P::toleranceSigmas, {2.0, 3.0, 5.0}),
-             row("gap", &P::gap, {0.1, 0.2, 0.35, 0.5, 0.8}), row("misses", &P::misses, {10, 40, 80}),
+             row("gap", &P::gap, {0.0, 1.5, 2.0, 3.0, 5.0, 8.0}), row("misses", &P::misses, {10, 40, 80}),
              support<P>({0.7, 1.5, 2.0}), mergeAngle<P>(), mergeSigmas<P>()});
     }
     if (opponent == "organized") {
@@ -147,15 +148,15 @@ std::vector<Setting> settingsFor(const std::string& opponent)
     if (opponent == "efficient-ransac") {
         using P = EfficientRansacParameters;
         return settingsOf<EfficientRansac, P>(
-            {voxel<P>({0.03, 0.04, 0.05, 0.08}), bearing<P>(), row("neighbours", &P::neighbours, {8, 12, 24, 40}),
-             row("tolerance", &P::toleranceSigmas, {1.5, 2.0, 2.5, 4.0}),
-             row("gap", &P::gap, {0.1, 0.2, 0.35, 0.5, 0.8}), row("angle", &P::normalAngle, {0.3, 0.4, 0.7, 0.9}),
-             row("min-points", &P::minPoints, {10, 15, 30, 50}), row("probability", &P::probability, {0.001, 0.05}),
-             support<P>({0.7, 1.5, 2.0}), mergeAngle<P>(), mergeSigmas<P>()});
+            {voxel<P>({2.5, 3.5, 4.75, 7.0, 12.0}), bearing<P>(), row("neighbours", &P::neighbours, {8, 12, 24, 40}),
+             row("tolerance", &P::toleranceSigmas, {1.5, 2.0, 2.5, 4.0}), row("gap", &P::gap, {2.0, 3.0, 5.0, 8.0}),
+             row("angle", &P::normalAngle, {0.3, 0.4, 0.7, 0.9}), row("min-points", &P::minPoints, {10, 15, 30, 50}),
+             row("probability", &P::probability, {0.001, 0.05}), support<P>({0.7, 1.5, 2.0}), mergeAngle<P>(),
+             mergeSigmas<P>()});
     }
     using P = RegionGrowingParameters;
     return settingsOf<RegionGrowing, P>(
-        {voxel<P>({0.02, 0.03, 0.06, 0.08}), bearing<P>(),
+        {voxel<P>({2.5, 3.5, 4.75, 7.0, 12.0}), bearing<P>(),
          row("normal-neighbours", &P::normalNeighbours, {10, 24, 40, 60}),
          row("neighbours", &P::neighbours, {8, 18, 24, 36}), row("tolerance", &P::toleranceSigmas, {2.0, 2.5, 4.0}),
          row("angle", &P::normalAngle, {0.2, 0.3, 0.6, 0.8}), row("min-points", &P::minPoints, {10, 15, 30, 50}),
@@ -171,6 +172,7 @@ int main(int argc, char** argv)
     std::uint64_t first = 101;
     std::uint64_t last = 102;
     bool perScene = false;
+    std::string only;
     std::vector<std::string> scenes{"corridor", "office", "hall", "curved", "twelve", "stairs", "clutter"};
     CLI::App program{"Tries parameters of an opponent."};
     program.add_option("opponent", opponent,
@@ -178,6 +180,7 @@ int main(int argc, char** argv)
     program.add_option("--from", first, "First seed");
     program.add_option("--to", last, "Last seed");
     program.add_option("--scenes", scenes, "Rooms");
+    program.add_option("--only", only, "Try one parameter");
     program.add_flag("--per-scene", perScene, "Print the rooms one by one, with the parameters as they are");
     CLI11_PARSE(program, argc, argv);
 
@@ -201,6 +204,8 @@ int main(int argc, char** argv)
         std::fflush(stdout);
     };
     for (const Setting& setting : settingsFor(opponent)) {
+        if (setting.text.rfind(only, 0) != 0)
+            continue;
         const std::unique_ptr<Opponent> candidate = setting.make();
         Score sum;
         double time = 0.0;

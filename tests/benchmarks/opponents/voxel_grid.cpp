@@ -58,7 +58,7 @@ VoxelGrid voxelGridOf(const std::vector<Eigen::Vector3d>& points, double edge)
 VoxelGrid reduced(const PointScan& scan, const ReductionParameters& parameters)
 {
     if (parameters.bearing <= 0.0)
-        return voxelGridOf(scan.points, parameters.voxel);
+        return voxelGridOf(scan.points, parameters.voxel * scan.sigma());
     const int beams = std::max(1, static_cast<int>(std::lround(parameters.bearing / scan.bearingStep)));
     VoxelGrid grid;
     grid.voxelOf.reserve(scan.points.size());

@@ -24,7 +24,7 @@ VoxelGrid voxelGridOf(const std::vector<Eigen::Vector3d>& points, double edge);
 
 /// How a scan is reduced before planes are looked for.
 struct ReductionParameters {
-    double voxel = 0.06;   ///< edge of cubes [m]
+    double voxel = 7.0;    ///< edge of cubes, in standard deviations of a range at the median range
     double bearing = 0.0;  ///< or the neighbouring beams of a slice within this angle make a voxel, whose size then
                            ///< grows with range [rad]; 0 = cubes
 };

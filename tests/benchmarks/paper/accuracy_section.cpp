@@ -213,31 +213,34 @@ void writeOpponents(Report& report, const ExperimentPlan& plan, const std::vecto
         }
         times.series.push_back(std::move(series));
     }
-    Chart bars;
-    bars.title = "Median errors of the planes found";
-    bars.yTitle = "mrad, mm";
-    ChartSeries angles{"normal [mrad]", {}, {}, Style::Bars, 0};
-    ChartSeries distances{"distance [mm]", {}, {}, Style::Bars, 1};
+    Chart shares;
+    shares.title = "Planes found: F1";
+    shares.yTitle = "F1";
+    Chart errors;
+    errors.title = "Error over the Cramer-Rao bound, of the planes found";
+    errors.yTitle = "error / bound";
+    ChartSeries at50{"at 50 % overlap", {}, {}, Style::Bars, 0};
+    ChartSeries at80{"at 80 % overlap", {}, {}, Style::Bars, 1};
+    ChartSeries overBound{"error / bound", {}, {}, Style::Bars, 2};
     for (std::size_t m = 0; m < names.size(); ++m) {
-        std::vector<double> ofAngle;
-        std::vector<double> ofDistance;
-        for (const FoundPlane& plane : total(scans, m).found) {
-            ofAngle.push_back(1000.0 * plane.angle);
-            ofDistance.push_back(1000.0 * plane.distance);
-        }
-        angles.x.push_back(static_cast<double>(m));
-        angles.y.push_back(median(ofAngle));
-        distances.x.push_back(static_cast<double>(m));
-        distances.y.push_back(median(ofDistance));
+        const Score score = total(scans, m);
+        for (ChartSeries* series : {&at50, &at80, &overBound})
+            series->x.push_back(static_cast<double>(m));
+        at50.y.push_back(score.at50.f1());
+        at80.y.push_back(score.at80.f1());
+        overBound.y.push_back(errorOverBound(score.found));
         std::string label = names[m];
         if (label.rfind("CGAL ", 0) == 0 || label.rfind("PCL ", 0) == 0)
             label = label.substr(label.find(' ') + 1);
-        bars.xLabels.push_back(label);
+        shares.xLabels.push_back(label);
     }
-    bars.series = {angles, distances};
+    errors.xLabels = shares.xLabels;
+    shares.series = {at50, at80};
+    errors.series = {overBound};
     report.figure("fig-20",
-                  "Fig. 20: time of each scan (" + std::to_string(scans.size()) + " scans), and median errors.",
-                  {times, bars}, 1150);
+                  "Fig. 20: time of each scan (" + std::to_string(scans.size()) +
+                      " scans, room by room), and how many planes were found how well.",
+                  {times, shares, errors}, 1150);
     writeCase(report, "Planes found, " + plan.settings + ", default noise", scans);
 
     std::vector<std::vector<std::string>> byScene;

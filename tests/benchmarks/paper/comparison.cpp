@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "tests/benchmarks/opponents/judged.h"
+#include "tests/benchmarks/opponents/opponent_run.h"
 #include "tests/benchmarks/opponents/opponents.h"
 #include "tests/benchmarks/paper/product_run.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "tests/benchmarks/opponents/judged.h"
+#include "tests/benchmarks/opponents/opponent_run.h"
 
 #include <chrono>
 
