@@ -18,7 +18,7 @@ public:
     void heading(int level, const std::string& text);
     void text(const std::string& paragraph);
 
-    /// A table; cells of a row beyond the header's are an error of the caller.
+    /// A table; every row has as many cells as the header.
     void table(const std::string& caption, const std::vector<std::string>& header,
                const std::vector<std::vector<std::string>>& rows);
 
