@@ -14,7 +14,7 @@ struct EfficientRansacParameters {
     int neighbours = 8;            ///< points that a normal is estimated from
     double toleranceSigmas = 1.5;  ///< epsilon, in standard deviations at the median range
     double gap = 3.0;              ///< cluster_epsilon, in spacings
-    double normalAngle = 0.7;      ///< largest angle of a point's normal to the plane's [rad]
+    double normalAngle = 0.3;      ///< largest angle of a point's normal to the plane's [rad]
     int minPoints = 20;            ///< least voxels of a plane
     double probability = 0.01;     ///< of missing the largest plane
     FinishParameters finish;
