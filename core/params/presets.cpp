@@ -16,6 +16,7 @@ namespace planewright {
 const std::vector<Preset>& methodPresets()
 {
     static const std::vector<Preset> presets{
+        {"paper", "the published method, with its formulas corrected: raw end points, metric thresholds", {}},
         {"precise",
          "maximum likelihood from all points of a segment, one pitch error a slice, chi-square tests",
          {{"method.estimator", "likelihood"},
@@ -27,7 +28,6 @@ const std::vector<Preset>& methodPresets()
           {"planes.flatness", "0.002"},
           {"planes.min-segments", "3"},
           {"planes.min-slices", "3"}}},
-        {"paper", "the published method, with its formulas corrected: raw end points, metric thresholds", {}},
     };
     return presets;
 }

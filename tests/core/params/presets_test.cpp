@@ -39,7 +39,7 @@ private slots:
 
 void PresetsTest::theFirstMethodIsThePublishedOne()
 {
-    QCOMPARE(methodPresets().front().name, std::string_view("precise"));
+    QCOMPARE(methodPresets().front().name, std::string_view("paper"));
 }
 
 void PresetsTest::everyPresetSetsParametersThatExistToAllowedValues()
