@@ -258,7 +258,8 @@ void CliExtractTest::limitOnFileSizesLeavesNothing()
 
     QCOMPARE(shell.exitStatus(), QProcess::NormalExit);
     QCOMPARE(shell.exitCode(), 5);
-    QCOMPARE(shell.readAllStandardError().count('\n'), 1);
+    // A build for coverage complains there too that its own files may not grow.
+    QCOMPARE(shell.readAllStandardError().count("planewright-cli: "), 1);
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{});
 }
 
