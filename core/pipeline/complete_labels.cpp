@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/geometry/sensor_model.h"
@@ -44,9 +45,12 @@ public:
     void labelSlice(std::size_t slice)
     {
         exchangeBorders(slice);
-        // Labels that echoes were given count for those next to them, on both sides alike.
-        while (labelEchoes(slice)) {
-        }
+        // Labels that echoes were given count for those next to them, on both sides alike: each beam is looked at again
+        // only when something in its reach has changed.
+        std::vector<std::size_t> beams(labels_[slice].size());
+        std::iota(beams.begin(), beams.end(), std::size_t{0});
+        while (!beams.empty())
+            beams = labelEchoes(slice, beams);
     }
 
 private:
@@ -59,13 +63,13 @@ private:
         double sigmas = kSigmas;
     };
 
-    /// Labels what a plane next to it explains; false where nothing was.
-    bool labelEchoes(std::size_t slice)
+    /// Labels those of some beams that a plane next to them explains; gives the beams, in order, in reach of these.
+    std::vector<std::size_t> labelEchoes(std::size_t slice, const std::vector<std::size_t>& beams)
     {
         const ScanSlice& scan = recording_.slices[slice];
         std::vector<PlaneId>& line = labels_[slice];
         std::vector<std::pair<std::size_t, PlaneId>> given;
-        for (std::size_t beam = 0; beam < line.size(); ++beam) {
+        for (const std::size_t beam : beams) {
             if (line[beam] != kNoPlane || !sensor_.hasEcho(scan.ranges[beam]))
                 continue;
             Choice choice;
@@ -79,9 +83,16 @@ private:
             if (choice.plane != kNoPlane)
                 given.emplace_back(beam, choice.plane);
         }
-        for (const auto& [beam, plane] : given)
+        constexpr std::size_t kBeamsInReach = kReach;
+        std::vector<std::size_t> inReach;
+        for (const auto& [beam, plane] : given) {
             line[beam] = plane;
-        return !given.empty();
+            const std::size_t from = beam - std::min(beam, kBeamsInReach);
+            const std::size_t next = inReach.empty() ? 0 : inReach.back() + 1;
+            for (std::size_t i = std::max(from, next); i < std::min(beam + kBeamsInReach + 1, line.size()); ++i)
+                inReach.push_back(i);
+        }
+        return inReach;
     }
 
     /// The nearest plane on one side of a beam, within reach.

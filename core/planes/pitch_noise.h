@@ -15,7 +15,7 @@ public:
     void add(TrackMap& map, int end, const Parameters& parameters);
 
     /// Standard deviation of a slice's pitch [rad]. What was told counts like some slices, so that it holds until there
-    /// are more, and the estimate stays between half of it and three times it: planes bend with the slices that they
+    /// are more, and the estimate stays between half of it and twice it: planes bend with the slices that they
     /// are made of.
     double estimate(double told) const;
 
