@@ -117,6 +117,7 @@ void setCounts(Stats& stats, const Recording& recording, const Snapshot& snapsho
     stats.fitted = snapshot.report.counts.fitted;
     stats.unfitted = snapshot.report.counts.unfitted;
     stats.planes = static_cast<std::int64_t>(snapshot.planes.size());
+    stats.noise = snapshot.noise;
     stats.meanError = snapshot.report.counts.meanError;
     stats.dataAccessRatio =
         dataAccessRatio(static_cast<std::size_t>(stats.segments), static_cast<std::size_t>(stats.points));

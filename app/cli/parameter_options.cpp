@@ -84,6 +84,8 @@ void addParameterOptions(CLI::App& command, ParameterOptions& options)
 Result<Parameters> parametersInForce(const ParameterOptions& options, std::string_view scanner)
 {
     Parameters parameters;
+    if (findPreset(methodPresets(), options.preset) == nullptr)
+        apply(methodPresets().front(), parameters);  // a file changes the default
     if (const auto done = applyNamed(options.preset, methodPresets(), "--preset", parameters); !done)
         return tl::unexpected{done.error()};
     if (!options.sensor.empty()) {

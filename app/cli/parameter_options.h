@@ -10,13 +10,14 @@
 #include <CLI/CLI.hpp>
 
 #include "core/params/parameters.h"
+#include "core/params/presets.h"
 #include "core/types/error.h"
 
 namespace planewright {
 
 /// What the command line says about parameters.
 struct ParameterOptions {
-    std::string preset = "paper";
+    std::string preset{methodPresets().front().name};
     std::string sensor;  ///< empty: by the recording's scanner
     std::vector<std::string> assignments;
 };
@@ -26,8 +27,9 @@ void addParameterOptions(CLI::App& command, ParameterOptions& options);
 
 /// The parameters in force: the preset, then the sensor, then each -P; the later wins. Without --sensor the recording's
 /// scanner chooses by a list of known names; an unknown name warns on stderr. A preset or sensor is a built-in name, a
-/// file of the user's own presets ($XDG_CONFIG_HOME/planewright/presets/NAME.json), or the path of a file. Errors:
-/// Usage for an unknown name, key or value; Unreadable for a broken file.
+/// file of the user's own presets ($XDG_CONFIG_HOME/planewright/presets/NAME.json), or the path of a file; a file of
+/// the method changes the default preset. Errors: Usage for an unknown name, key or value; Unreadable for a broken
+/// file.
 Result<Parameters> parametersInForce(const ParameterOptions& options, std::string_view scanner);
 
 }  // namespace planewright

@@ -8,6 +8,7 @@
 
 #include "core/formats/json_text.h"
 #include "core/formats/written.h"
+#include "core/types/angle.h"
 
 namespace planewright {
 
@@ -53,6 +54,12 @@ Result<void> writeStats(std::ostream& out, const Stats& stats)
     steps.add("p99", stats.step99);
     steps.add("max", stats.stepMax);
 
+    ObjectText noise;
+    noise.add("range_constant_m", stats.noise.rangeConstant);
+    noise.add("range_proportional", stats.noise.rangeProportional);
+    noise.add("pitch_deg", toDegrees(stats.noise.pitch));
+    noise.add("estimated", std::string_view(stats.noise.estimated ? "true" : "false"));
+
     ObjectText all;
     all.add("format", R"("planewright-stats 1")");
     all.add("points", stats.points);
@@ -65,6 +72,7 @@ Result<void> writeStats(std::ostream& out, const Stats& stats)
     all.add("merges", stats.merges);
     all.add("mean_error", stats.meanError);
     all.add("dar_percent", stats.dataAccessRatio);
+    all.add("noise", noise.text());
     all.add("time_ms", times.text());
     all.add("step_ms", steps.text());
     all.add("repeats", std::int64_t{stats.repeats});

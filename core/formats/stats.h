@@ -9,6 +9,7 @@
 #include <iosfwd>
 
 #include "core/types/error.h"
+#include "core/types/sensor_noise.h"
 #include "core/types/step_report.h"
 
 namespace planewright {
@@ -25,6 +26,7 @@ struct Stats {
     std::int64_t merges = 0;
     double meanError = 0.0;                                      ///< fitting error E, mean over the planes
     double dataAccessRatio = 0.0;                                ///< Eq. (23) [%]
+    SensorNoise noise;                                           ///< that the planes were estimated with
     std::chrono::nanoseconds total{};                            ///< from slices in memory to planes
     std::array<std::chrono::nanoseconds, kPhases> phases{};      ///< of the total, in each phase
     std::chrono::nanoseconds stepMedian{}, step99{}, stepMax{};  ///< of the time of one step

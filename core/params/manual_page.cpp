@@ -17,7 +17,8 @@ namespace {
 constexpr std::string_view kIntroduction =
     "# Parameters\n"
     "\n"
-    "Every parameter of an extraction. `-P key=value` sets one, a preset file sets several; the later wins.\n"
+    "Every parameter of an extraction, with its value in each preset of the method; the first is the default.\n"
+    "`-P key=value` sets one, a preset file sets several of the default's; the later wins.\n"
     "Lengths are metres and angles degrees, as the unit says. The symbol is the published method's, in ASCII.\n"
     "\n"
     "This page is made from the program's own table: `planewright-cli params list --markdown`.\n";
@@ -65,30 +66,49 @@ std::string code(std::string_view text)
 
 std::string parameterTables()
 {
-    const Parameters defaults;
+    std::vector<std::string> header{"key"};
+    std::vector<Parameters> presets;
+    for (const Preset& preset : methodPresets()) {
+        header.push_back(code(preset.name));
+        apply(preset, presets.emplace_back());
+    }
+    for (const char* column : {"unit", "allowed", "symbol", "meaning"})
+        header.emplace_back(column);
     std::string text;
     std::string_view part;
     for (const ParameterRow& row : parameterRows()) {
         if (partOf(row.key) != part) {
             part = partOf(row.key);
-            text += "\n## " + std::string{part} + "\n\n" +
-                    tableRow({"key", "default", "unit", "allowed", "symbol", "meaning"}) +
-                    tableRow({"---", "---", "---", "---", "---", "---"});
+            text += "\n## " + std::string{part} + "\n\n" + tableRow(header) +
+                    tableRow(std::vector<std::string>(header.size(), "---"));
         }
-        text += tableRow({code(row.key), code(printParameter(defaults, row.key)), std::string{row.unitName},
-                          allowedText(row), code(row.symbol), std::string{row.meaning}});
+        std::vector<std::string> cells{code(row.key)};
+        for (const Parameters& preset : presets)
+            cells.push_back(code(printParameter(preset, row.key)));
+        for (const std::string& cell :
+             {std::string{row.unitName}, allowedText(row), code(row.symbol), std::string{row.meaning}})
+            cells.push_back(cell);
+        text += tableRow(cells);
     }
     return text;
 }
 
-std::string presetTable(const std::vector<Preset>& presets)
+std::string methodTable()
+{
+    std::string text = tableRow({"name", "meaning"}) + tableRow({"---", "---"});
+    for (const Preset& preset : methodPresets())
+        text += tableRow({code(preset.name), std::string{preset.meaning}});
+    return text;
+}
+
+std::string sensorTable()
 {
     std::string text = tableRow({"name", "meaning", "sets"}) + tableRow({"---", "---", "---"});
-    for (const Preset& preset : presets) {
+    for (const Preset& preset : sensorPresets()) {
         std::string values;
         for (const auto& [key, value] : preset.values)
             values += (values.empty() ? "`" : ", `") + std::string{key} + "=" + std::string{value} + "`";
-        text += tableRow({code(preset.name), std::string{preset.meaning}, values.empty() ? "the defaults" : values});
+        text += tableRow({code(preset.name), std::string{preset.meaning}, values});
     }
     return text;
 }
@@ -98,7 +118,7 @@ std::string presetTable(const std::vector<Preset>& presets)
 std::string parameterManualPage()
 {
     return std::string{kIntroduction} + parameterTables() + "\n## Presets of the method: `--preset`\n\n" +
-           presetTable(methodPresets()) + "\n## Presets of the scanner: `--sensor`\n\n" + presetTable(sensorPresets());
+           methodTable() + "\n## Presets of the scanner: `--sensor`\n\n" + sensorTable();
 }
 
 }  // namespace planewright

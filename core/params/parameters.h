@@ -21,6 +21,7 @@ struct NoiseParameters {
     double pitch = degrees(0.084);
     bool pitchCommon = true;
     double systematic = 0.0;
+    bool estimated = false;
 
     /// Variance σ_ρ² of a range [m²]: the squares of the constant and of the proportional part.
     double rangeVariance(double range) const
@@ -44,6 +45,9 @@ struct NoiseParameters {
             Parameter{"noise.systematic", &NoiseParameters::systematic, Unit::Metre, Range{0.0, 0.5}, "",
                       "What a slice's ranges may be off together, beside the noise of each; only planes by likelihood "
                       "allow for it."},
+            Parameter{"noise.estimated", &NoiseParameters::estimated, Unit::Switch, Range{0.0, 1.0}, "",
+                      "Range and pitch noise are found in the scan itself, from what is told here on; only planes by "
+                      "likelihood."},
             Parameter{"noise.pitch-common", &NoiseParameters::pitchCommon, Unit::Switch, Range{0.0, 1.0}, "",
                       "The pitch error is one for all points of a slice; otherwise each point has its own."},
         };
@@ -87,8 +91,10 @@ struct SegmentParameters {
                       "d_o", "The merge gap is never less than this many distances between beams at that range."},
             Parameter{"segments.min-length", &SegmentParameters::minLength, Unit::Metre, Range{0.0, 10.0}, "L_min",
                       "Shorter segments are removed, Eq. (5)."},
-            Parameter{"segments.min-points", &SegmentParameters::minPoints, Unit::Count, Range{4.0, 1000.0}, "N_e",
-                      "Segments of fewer scan points are removed, Eq. (5)."},
+            Parameter{
+                "segments.min-points", &SegmentParameters::minPoints, Unit::Count, Range{4.0, 1000.0}, "N_e",
+                "Segments of fewer scan points are removed, Eq. (5); by likelihood, of fewer still where beams are "
+                "farther apart than 0.25 degrees."},
         };
     }
 };
@@ -279,6 +285,7 @@ struct LikelihoodParameters {
     double finalGate = 12.0;
     double splitSigmas = 3.0;
     double minSolidAngle = 0.0106;
+    int enoughPoints = 120;
     double stripWidth = 0.12;
     double stripShare = 0.6;
     double bentShare = 0.5;
@@ -289,7 +296,7 @@ struct LikelihoodParameters {
             Parameter{"likelihood.join-gate", &LikelihoodParameters::joinGate, Unit::None, Range{1.0, 1000.0}, "",
                       "A segment joins a plane that it faces below this chi-square of 2 degrees of freedom."},
             Parameter{"likelihood.apart-gate", &LikelihoodParameters::apartGate, Unit::None, Range{0.1, 1000.0}, "",
-                      "The same for a plane that it does not face, and for pairs of segments as a plane."},
+                      "The same for a plane that it does not face."},
             Parameter{"likelihood.known-angle", &LikelihoodParameters::knownAngle, Unit::Angle,
                       Range{0.0, degrees(45.0)}, "",
                       "A plane is joined without facing it when its normal is known to this standard deviation."},
@@ -307,8 +314,11 @@ struct LikelihoodParameters {
             Parameter{"likelihood.split-sigmas", &LikelihoodParameters::splitSigmas, Unit::None, Range{0.5, 1000.0}, "",
                       "A plane gives up its worst segments while its reduced chi-square is above 1 by so many "
                       "standard deviations."},
-            Parameter{"likelihood.min-solid-angle", &LikelihoodParameters::minSolidAngle, Unit::None, Range{0.0, 10.0},
-                      "", "A plane must fill this solid angle as seen from the laser at least, in steradians."},
+            Parameter{
+                "likelihood.min-solid-angle", &LikelihoodParameters::minSolidAngle, Unit::None, Range{0.0, 10.0}, "",
+                "A plane must fill this solid angle as seen from the laser, in steradians, or have enough points."},
+            Parameter{"likelihood.enough-points", &LikelihoodParameters::enoughPoints, Unit::Count,
+                      Range{4.0, 1000000.0}, "", "A plane of so many scan points is large enough."},
             Parameter{"likelihood.strip-width", &LikelihoodParameters::stripWidth, Unit::Metre, Range{0.0, 10.0}, "",
                       "Narrower planes that stand free on both sides are poles, not planes."},
             Parameter{"likelihood.strip-share", &LikelihoodParameters::stripShare, Unit::None, Range{0.0, 1.0}, "",
@@ -353,7 +363,7 @@ struct Parameters {
     LikelihoodParameters likelihood;
     ScheduleParameters schedule;
 
-    /// How far a segment may be off a plane as a whole [m]: real walls are not flat, and scanners err together.
+    /// How far ranges of a segment may be off together [m]: real walls are not flat, and scanners err together.
     double flatnessFloor() const
     {
         constexpr double kSystematicSigmas = 3.0;

@@ -20,6 +20,7 @@ const std::vector<Preset>& methodPresets()
         {"precise",
          "maximum likelihood from all points of a segment, one pitch error a slice, chi-square tests",
          {{"method.estimator", "likelihood"},
+          {"noise.estimated", "true"},
           {"segments.split-distance", "0.01"},
           {"segments.split-sigmas", "4.5"},
           {"segments.min-length", "0"},

@@ -25,8 +25,15 @@ constexpr double kSigmas = 3.0;
 class Labeller {
 public:
     Labeller(const Snapshot& snapshot, const Recording& recording, const Parameters& parameters, Labels& labels)
-        : recording_(recording), parameters_(parameters), sensor_(sensorOf(recording.description)), labels_(labels)
+        : recording_(recording),
+          noise_(parameters.noise),
+          floor_(parameters.flatnessFloor()),
+          sensor_(sensorOf(recording.description)),
+          labels_(labels)
     {
+        noise_.rangeConstant = snapshot.noise.rangeConstant;
+        noise_.rangeProportional = snapshot.noise.rangeProportional;
+        noise_.pitch = snapshot.noise.pitch;
         for (const auto& plane : snapshot.planes) {
             if (static_cast<std::size_t>(plane->id) >= planes_.size())
                 planes_.resize(static_cast<std::size_t>(plane->id) + 1, nullptr);
@@ -96,7 +103,7 @@ private:
         const double bearing = scan.bearing(beam);
         const double tilt = scan.tiltAt(beam);
         return {toCartesian(scan.ranges[beam], bearing, tilt, sensor_),
-                cartesianCovariance(scan.ranges[beam], bearing, tilt, sensor_, parameters_.noise)};
+                cartesianCovariance(scan.ranges[beam], bearing, tilt, sensor_, noise_)};
     }
 
     double sigmasTo(PlaneId id, const Ray& ray) const
@@ -104,9 +111,8 @@ private:
         const Plane& plane = *planes_[static_cast<std::size_t>(id)];
         Eigen::Vector3d row;
         row << plane.tangents.transpose() * ray.point, -1.0;
-        const double floor = parameters_.flatnessFloor();
         const double variance =
-            plane.normal.dot(ray.covariance * plane.normal) + row.dot(plane.covariance * row) + floor * floor;
+            plane.normal.dot(ray.covariance * plane.normal) + row.dot(plane.covariance * row) + floor_ * floor_;
         return std::abs(plane.normal.dot(ray.point) - plane.distance) / std::sqrt(variance);
     }
 
@@ -155,7 +161,8 @@ private:
     }
 
     const Recording& recording_;
-    const Parameters& parameters_;
+    NoiseParameters noise_;
+    double floor_;  // [m]
     SensorModel sensor_;
     std::vector<const Plane*> planes_;
     Labels& labels_;

@@ -16,6 +16,10 @@ namespace {
 
 /// Slices whose leftover segments get another chance every few steps.
 constexpr int kRemainingSlices = 6;
+/// Slices whose planes have had time to settle are that far back.
+constexpr int kSettledSlices = 5;
+/// Range noise is estimated anew when there are so many times the samples.
+constexpr double kSampleGrowth = 1.1;
 
 }  // namespace
 
@@ -23,45 +27,64 @@ int LikelihoodMethod::extractLineSegments(const ScanSlice& slice, const SensorMo
                                           const Parameters& parameters)
 {
     sensor_ = sensor;
-    noise_ = parameters.noise;
+    if (parameters.noise.estimated)
+        rangeNoise_.add(slice, sensor, parameters.noise);
+    adapt(parameters);
     fresh_.clear();
-    extractor_.extract(slice, sensor, parameters, fresh_);
+    extractor_.extract(slice, sensor, inUse_, fresh_);
     map_.append(slice, sensor, fresh_);
     return extractor_.echoes();
 }
 
-void LikelihoodMethod::assignToPlanes(const Parameters& parameters, StepRecorder& recorder)
+/// Takes over the parameters, with the noise as far as the scan has told it.
+void LikelihoodMethod::adapt(const Parameters& parameters)
 {
-    unassigned_ = joinTracks(map_, parameters, recorder);
+    inUse_ = parameters;
+    if (!parameters.noise.estimated)
+        return;
+    if (static_cast<double>(rangeNoise_.samples()) >= kSampleGrowth * static_cast<double>(estimatedAt_)) {
+        estimatedAt_ = rangeNoise_.samples();
+        rangeFound_ = rangeNoise_.estimate(parameters.noise);
+    }
+    inUse_.noise = rangeFound_;
+    inUse_.noise.pitch = pitchNoise_.estimate(parameters.noise.pitch);
 }
 
-void LikelihoodMethod::addToClusters(const Parameters& parameters, StepRecorder& recorder)
+void LikelihoodMethod::assignToPlanes(const Parameters&, StepRecorder& recorder)
+{
+    unassigned_ = joinTracks(map_, inUse_, recorder);
+}
+
+void LikelihoodMethod::addToClusters(const Parameters&, StepRecorder& recorder)
 {
     for (const SegmentNumber number : unassigned_) {
-        const auto joined = map_.clusters.add(number, directionOf(number, map_), parameters.clusters);
+        const auto joined = map_.clusters.add(number, directionOf(number, map_), inUse_.clusters);
         if (recorder.explains())
             recorder.decide(
                 DecisionKind::Cluster, {idOf(number, map_)},
-                {{"similarity", joined.similarity, Comparison::Greater, std::cos(parameters.clusters.directionLimit)}},
+                {{"similarity", joined.similarity, Comparison::Greater, std::cos(inUse_.clusters.directionLimit)}},
                 {ClusterRef{joined.cluster}});
     }
 }
 
-void LikelihoodMethod::fitPlanes(const Parameters& parameters, StepRecorder& recorder)
+void LikelihoodMethod::fitPlanes(const Parameters&, StepRecorder& recorder)
 {
-    seedTracks(map_, seededSlices_, parameters, recorder);
+    if (inUse_.noise.estimated)
+        pitchNoise_.add(map_, map_.slices() - kSettledSlices, inUse_);
+    dropYoungGrazing(map_, inUse_, recorder);
+    seedTracks(map_, seededSlices_, inUse_, recorder);
     seededSlices_ = map_.slices();
     dropOwnedFromClusters();
 }
 
-void LikelihoodMethod::splitAndMerge(const Parameters& parameters, StepRecorder& recorder)
+void LikelihoodMethod::splitAndMerge(const Parameters&, StepRecorder& recorder)
 {
-    mergeTracks(map_, parameters, recorder);
+    mergeTracks(map_, inUse_, recorder);
 }
 
-void LikelihoodMethod::fitRemainingSegments(const Parameters& parameters, StepRecorder& recorder)
+void LikelihoodMethod::fitRemainingSegments(const Parameters&, StepRecorder& recorder)
 {
-    joinRemaining(map_, map_.slices() - kRemainingSlices, parameters, recorder);
+    joinRemaining(map_, map_.slices() - kRemainingSlices, inUse_, recorder);
     dropOwnedFromClusters();
 }
 
@@ -69,20 +92,22 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
 {
     if (map_.slices() == 0)
         return;
-    mergeTracks(map_, parameters, recorder);
-    splitTracks(map_, parameters, recorder);
-    thinTracks(map_, parameters, recorder);
-    seedTracks(map_, 0, parameters, recorder);
-    joinRemaining(map_, 0, parameters, recorder);
-    mergeTracks(map_, parameters, recorder);
-    thinTracks(map_, parameters, recorder);
-    dropUnfounded(map_, parameters, recorder);
-    seedPairs(map_, parameters, recorder);
-    mergeTracks(map_, parameters, recorder);
-    joinRemaining(map_, 0, parameters, recorder);
-    thinTracks(map_, parameters, recorder);
-    dropUnfounded(map_, parameters, recorder);
-    refineTracks(map_, parameters);
+    pitchNoise_.add(map_, map_.slices(), inUse_);
+    adapt(parameters);
+    mergeTracks(map_, inUse_, recorder);
+    splitTracks(map_, inUse_, recorder);
+    thinTracks(map_, inUse_, recorder);
+    seedTracks(map_, 0, inUse_, recorder);
+    joinRemaining(map_, 0, inUse_, recorder);
+    mergeTracks(map_, inUse_, recorder);
+    thinTracks(map_, inUse_, recorder);
+    dropUnfounded(map_, inUse_, recorder);
+    seedPairs(map_, inUse_, recorder);
+    mergeTracks(map_, inUse_, recorder);
+    joinRemaining(map_, 0, inUse_, recorder);
+    thinTracks(map_, inUse_, recorder);
+    dropUnfounded(map_, inUse_, recorder);
+    refineTracks(map_, inUse_);
     dropOwnedFromClusters();
 }
 
@@ -95,6 +120,7 @@ void LikelihoodMethod::parametersChanged()
 {
     for (PlaneTrack& plane : map_.planes())
         plane.comparedAt = 0;
+    estimatedAt_ = 0;
 }
 
 void LikelihoodMethod::count(StepCounts& counts) const
@@ -118,8 +144,11 @@ void LikelihoodMethod::count(StepCounts& counts) const
 void LikelihoodMethod::publish(Snapshot& snapshot)
 {
     for (auto place = static_cast<int>(log_.slices()); place < map_.slices(); ++place)
-        log_.append(map_.slice(place).step, std::make_shared<const Segments>(segmentsOf(place, map_, sensor_, noise_)));
+        log_.append(map_.slice(place).step,
+                    std::make_shared<const Segments>(segmentsOf(place, map_, sensor_, inUse_.noise)));
     snapshot.segments = log_;
+    snapshot.noise = {inUse_.noise.rangeConstant, inUse_.noise.rangeProportional, inUse_.noise.pitch,
+                      inUse_.noise.estimated};
     snapshot.planes.reserve(map_.planes().size());
     for (PlaneTrack& plane : map_.planes())
         snapshot.planes.push_back(publishedPlane(plane, map_));

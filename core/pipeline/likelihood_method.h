@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/pipeline/extraction_method.h"
+#include "core/planes/pitch_noise.h"
 #include "core/planes/track_map.h"
 #include "core/segments/extract_statistics.h"
+#include "core/segments/range_noise.h"
 
 namespace planewright {
 
@@ -27,14 +29,19 @@ public:
 
 private:
     void dropOwnedFromClusters();
+    void adapt(const Parameters& parameters);
 
+    RangeNoise rangeNoise_;
+    NoiseParameters rangeFound_;
+    std::int64_t estimatedAt_ = 0;  // samples of range noise when it was estimated last
+    PitchNoise pitchNoise_;
+    Parameters inUse_;  // with the noise as it is known
     StatisticsExtractor extractor_;
     std::vector<SegmentStatistics> fresh_;  // of the newest slice
     TrackMap map_;
     std::vector<SegmentNumber> unassigned_;
     int seededSlices_ = 0;  // of which all segments have had their chance to make a plane
     SensorModel sensor_;
-    NoiseParameters noise_;
     SegmentLog log_;  // of the slices that a snapshot has shown
 };
 

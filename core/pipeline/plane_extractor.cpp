@@ -79,6 +79,8 @@ StepReport PlaneExtractor::conclude()
 std::shared_ptr<const Snapshot> PlaneExtractor::makeSnapshot(StepReport report)
 {
     auto snapshot = std::make_shared<Snapshot>();
+    snapshot->noise = {parameters_.noise.rangeConstant, parameters_.noise.rangeProportional, parameters_.noise.pitch,
+                       false};
     method_->publish(*snapshot);
     snapshot->report = std::move(report);
     return snapshot;

@@ -14,7 +14,8 @@ namespace planewright {
 
 namespace {
 
-/// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact.
+/// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact, and
+/// at that angle none can be told to belong.
 constexpr double kLeastSteepness = 2.7e-3;
 
 /// Derivatives of a segment's distance to the plane, at its centroid and along it, by the unknowns.
@@ -60,10 +61,23 @@ Weights weightsOf(const PlaneInSlice& seen, const SegmentStatistics& s, const Ro
     return {s.offsetInformation / steepness, s.slopeInformation / steepness};
 }
 
+/// What a segment may be off the plane as a whole [m] where its ranges may be off together by a floor [m].
+double floorAcross(const PlaneInSlice& seen, double floor)
+{
+    return floor * std::sqrt(seen.steepness);
+}
+
 /// What a segment's slope may be off [rad] where its ends may be off by twice the floor [m].
 double slopeFloorOf(const SegmentStatistics& segment, double floor)
 {
     return 4.0 * floor / std::max(segment.length(), 1e-6);
+}
+
+/// Weights with a floor [m] of what the segment may be off as a whole.
+Weights flooredWeights(const Weights& weights, const SegmentStatistics& segment, double floor)
+{
+    const double slopeFloor = slopeFloorOf(segment, floor);
+    return {1.0 / (1.0 / weights.place + floor * floor), 1.0 / (1.0 / weights.slope + slopeFloor * slopeFloor)};
 }
 
 double commonPitchVariance(const NoiseParameters& noise)
@@ -114,10 +128,7 @@ void PlaneEstimate::accumulate(const PlaneInSlice& seen, std::span<const Segment
     double pitchGradient = 0.0;
     for (const SegmentStatistics* segment : segments) {
         const Row row = rowOf(seen, *segment);
-        const Weights noiseWeights = weightsOf(seen, *segment, row, noise);
-        const double slopeFloor = slopeFloorOf(*segment, floor);
-        const Weights weights{1.0 / (1.0 / noiseWeights.place + floor * floor),
-                              1.0 / (1.0 / noiseWeights.slope + slopeFloor * slopeFloor)};
+        const Weights weights = flooredWeights(weightsOf(seen, *segment, row, noise), *segment, floor);
         const Eigen::Vector3d place = weights.place * row.place;
         const Eigen::Vector3d slope = weights.slope * row.slope;
         information += place * row.place.transpose() + slope * row.slope.transpose();
@@ -170,14 +181,17 @@ double PlaneEstimate::residualChi(const PlaneInSlice& seen, const SegmentStatist
 }
 
 double PlaneEstimate::chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
-                            double floor, const Eigen::Matrix3d& covariance) const
+                            double rangeFloor, const Eigen::Matrix3d& covariance) const
 {
+    if (seen.steepness <= kLeastSteepness)
+        return std::numeric_limits<double>::infinity();
     const Row row = rowOf(seen, segment);
     const Weights weights = weightsOf(seen, segment, row, noise);
     const double distance = row.distance + row.place.dot(step_);
     const double inclination = row.inclination + row.slope.dot(step_);
     const Eigen::Vector3d spread = covariance * row.place;
     const double variance = commonPitchVariance(noise);
+    const double floor = floorAcross(seen, rangeFloor);
     const double slopeFloor = slopeFloorOf(segment, floor);
     const double place =
         1.0 / weights.place + variance * row.pitchPlace * row.pitchPlace + row.place.dot(spread) + floor * floor;
@@ -186,6 +200,17 @@ double PlaneEstimate::chiOf(const PlaneInSlice& seen, const SegmentStatistics& s
                          row.slope.dot(covariance * row.slope) + slopeFloor * slopeFloor;
     return (slope * distance * distance - 2.0 * both * distance * inclination + place * inclination * inclination) /
            (place * slope - both * both);
+}
+
+PitchEvidence PlaneEstimate::pitchEvidence(const PlaneInSlice& seen, const SegmentStatistics& segment,
+                                           const NoiseParameters& noise, double floor) const
+{
+    const Row row = rowOf(seen, segment);
+    const Weights weights = flooredWeights(weightsOf(seen, segment, row, noise), segment, floor);
+    const double distance = row.distance + row.place.dot(step_);
+    const double inclination = row.inclination + row.slope.dot(step_);
+    return {weights.place * row.pitchPlace * row.pitchPlace + weights.slope * row.pitchSlope * row.pitchSlope,
+            weights.place * row.pitchPlace * distance + weights.slope * row.pitchSlope * inclination};
 }
 
 double PlaneEstimate::mergeChi(const PlaneEstimate& other, double floor, double extent) const

@@ -44,6 +44,13 @@ struct PlaneInSlice {
     double steepness = 1.0;  ///< square of the distance's gradient in the slice: how noise across a line enters it
 };
 
+/// What a segment tells of its slice's pitch error: sums over segments, of which gradient over information is the
+/// error.
+struct PitchEvidence {
+    double information = 0.0;  ///< [1/rad²]
+    double gradient = 0.0;     ///< [1/rad]
+};
+
 /// A plane by maximum likelihood: its parameters, their information and their covariance.
 ///
 /// Unknowns are two tangent angles and d, from a linearisation point on; information and gradient are sums over slices,
@@ -68,8 +75,8 @@ public:
 
     PlaneInSlice inSlice(const SliceFrame& frame) const;
 
-    /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together. A floor [m] is what a segment may be
-    /// off as a whole, beside its noise: it keeps few segments from telling more than a real sensor can.
+    /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together. A floor [m] is what a segment
+    /// may be off as a whole, beside its noise: it keeps few segments from telling more than a real sensor can.
     void accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,
                     const NoiseParameters& noise, double floor, double sign);
 
@@ -77,7 +84,8 @@ public:
     bool solve();
 
     /// χ² (2 degrees of freedom) of a segment against this plane: its distance and its slope, with the variances of
-    /// segment, plane and pitch, and a flatness floor [m].
+    /// segment, plane and pitch, and a floor [m] of what ranges may be off together. Infinite where the slice is in the
+    /// plane but for 3°.
     double joinChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
                    double floor) const;
 
@@ -85,12 +93,17 @@ public:
     double residualChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
                        double floor) const;
 
+    /// What a segment of this plane tells of the pitch error of its slice, with a floor [m] of what it may be off as a
+    /// whole.
+    PitchEvidence pitchEvidence(const PlaneInSlice& seen, const SegmentStatistics& segment,
+                                const NoiseParameters& noise, double floor) const;
+
     /// χ² (3 degrees of freedom) of two planes being one, with a flatness floor [m] over an extent [m].
     double mergeChi(const PlaneEstimate& other, double floor, double extent) const;
 
 private:
-    double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise, double floor,
-                 const Eigen::Matrix3d& covariance) const;
+    double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
+                 double rangeFloor, const Eigen::Matrix3d& covariance) const;
 
     Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();  // the estimate
     double distance_ = 0.0;

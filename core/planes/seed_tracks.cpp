@@ -29,8 +29,16 @@ constexpr int kEmptySlices = 3;
 constexpr double kRoughlyCoplanar = 0.08;
 /// Sine of the angle at which rays must meet a plane at least; a slice's own plane is none.
 constexpr double kGrazing = 0.02;
-/// Points that a pair of segments must have.
-constexpr int kPairPoints = 40;
+/// By how many standard deviations of its normal a plane must be met by the rays.
+constexpr double kSureSigmas = 2.0;
+/// Planes of more slices do not turn much any more.
+constexpr int kYoungSlices = 20;
+/// Points that a pair of segments must have, or fewer where they fill this angle [rad].
+constexpr double kPairPoints = 40.0;
+constexpr double kPairAngle = degrees(10.0);
+/// Planes of rooms are parallel to this angle [rad]; χ² of a pair that is parallel to none.
+constexpr double kParallel = degrees(0.5);
+constexpr double kNoParallel = 13.8;
 
 struct Hypothesis {
     std::array<SegmentNumber, 3> segments{};
@@ -109,11 +117,11 @@ int sliceBefore(int place, double tiltGap, const TrackMap& map)
     return -1;
 }
 
-/// Sine of the angle at which the ray to a segment's centroid meets a plane.
-double incidence(SegmentNumber number, const PlaneEstimate& estimate, const TrackMap& map)
+/// True where a plane is sure to be met by the rays to a segment: a slice's own plane fits all of it, and is none.
+bool surelyMet(SegmentNumber number, const PlaneEstimate& estimate, const TrackMap& map, const Parameters& parameters)
 {
-    const Eigen::Vector3d ray = centroid(number, map) - map.slice(map.segment(number).slice).frame.origin;
-    return std::abs(estimate.normal().dot(ray)) / ray.norm();
+    const double least = parameters.planes.minIncidence + kSureSigmas * std::sqrt(estimate.normalVariance());
+    return map.incidence(number, estimate) >= std::sin(std::min(least, degrees(90.0)));
 }
 
 /// Hypotheses of three segments of which the last is `newest`; of the smallest gap that gives any.
@@ -122,7 +130,6 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
 {
     const int place = map.segment(newest).slice;
     const double angle = parameters.likelihood.seedAngle;
-    const double leastIncidence = std::sin(parameters.planes.minIncidence);
     std::pair tried{-1, -1};
     for (const double tiltGap : kTiltGaps) {
         const double gap = std::max(tiltGap, kTiltGapSigmas * parameters.noise.pitch);
@@ -144,7 +151,7 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
                 hypothesis.chi = hypothesis.estimate.chi();
                 hypothesis.normalVariance = hypothesis.estimate.normalVariance();
                 if (hypothesis.chi >= parameters.likelihood.seedGate || hypothesis.normalVariance >= angle * angle ||
-                    incidence(newest, hypothesis.estimate, map) < leastIncidence)
+                    !surelyMet(newest, hypothesis.estimate, map, parameters))
                     return;
                 hypothesis.support =
                     std::min({map.segment(oldest).statistics.points, map.segment(middle).statistics.points,
@@ -198,7 +205,82 @@ void grow(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, int st
     map.rebuild(plane, parameters);
 }
 
+/// Two facing segments of neighbouring slices. Any two parallel ones are on a plane, so that all that speaks for one
+/// pair rather than another is whether rooms have such planes: χ² (2 degrees of freedom) of its normal against that of
+/// the nearest known plane.
+struct PairHypothesis {
+    std::array<SegmentNumber, 2> segments{};
+    double chi = 0.0;
+    double parallelChi = kNoParallel;
+    PlaneEstimate estimate;
+};
+
+double parallelChi(const PlaneEstimate& estimate, const TrackMap& map, const Parameters& parameters)
+{
+    const double known = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
+    double least = kNoParallel;
+    for (const PlaneTrack& plane : map.planes()) {
+        const double variance = plane.estimate.normalVariance();
+        if (plane.ofPair || variance >= known)
+            continue;
+        const Eigen::Vector2d apart = estimate.tangents().transpose() * plane.estimate.normal();
+        const Eigen::Matrix2d covariance = estimate.covariance().topLeftCorner<2, 2>() +
+                                           (variance + kParallel * kParallel) * Eigen::Matrix2d::Identity();
+        least = std::min(least, apart.dot(covariance.inverse() * apart));
+    }
+    return least;
+}
+
+void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parameters,
+             std::vector<PairHypothesis>& hypotheses)
+{
+    const int from = map.firstBeam(number);
+    const int to = map.lastBeam(number);
+    const double fewest = std::min(kPairPoints, kPairAngle / map.bearingStep());
+    visitFree(map.segment(number).slice - 1, number, map, [&](SegmentNumber other) {
+        const int shared = std::min(to, map.lastBeam(other)) - std::max(from, map.firstBeam(other)) + 1;
+        const int shorter = std::min(to - from, map.lastBeam(other) - map.firstBeam(other)) + 1;
+        if (2 * shared < shorter ||
+            map.segment(other).statistics.points + map.segment(number).statistics.points < fewest)
+            return;
+        PairHypothesis hypothesis;
+        hypothesis.segments = {other, number};
+        if (!fitSegments(hypothesis.segments, map, parameters, hypothesis.estimate))
+            return;
+        hypothesis.chi = hypothesis.estimate.chi();
+        if (hypothesis.chi >= parameters.likelihood.joinGate ||
+            !surelyMet(number, hypothesis.estimate, map, parameters))
+            return;
+        hypothesis.parallelChi = parallelChi(hypothesis.estimate, map, parameters);
+        hypotheses.push_back(hypothesis);
+    });
+}
+
+/// Dissolves a plane that has turned into the slices that it is made of.
+bool dropGrazing(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    const SegmentNumber middle = plane.members[plane.members.size() / 2];
+    const double mean = (map.incidence(plane.members.front(), plane.estimate) + map.incidence(middle, plane.estimate) +
+                         map.incidence(plane.members.back(), plane.estimate)) /
+                        3.0;
+    const Test met{"incidence", mean, Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)};
+    if (met.pass())
+        return false;
+    recorder.decide(DecisionKind::NoFit, {PlaneRef{plane.id}}, {met});
+    map.dissolve(plane.id);
+    return true;
+}
+
 }  // namespace
+
+void dropYoungGrazing(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    for (std::size_t i = 0; i < map.planes().size();) {
+        PlaneTrack& plane = map.planes()[i];
+        if (plane.slices > kYoungSlices || !dropGrazing(plane, map, parameters, recorder))
+            ++i;
+    }
+}
 
 void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, StepRecorder& recorder)
 {
@@ -226,48 +308,38 @@ void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, Ste
                               parameters.likelihood.seedAngle}},
                             {PlaneRef{plane->id}});
         grow(*plane, map, parameters, step);
+        dropGrazing(*plane, map, parameters, recorder);
     }
 }
 
 void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
-    const int step = map.slice(map.slices() - 1).step;
+    std::vector<PairHypothesis> hypotheses;
     for (int place = 1; place < map.slices(); ++place) {
         for (SegmentNumber number = map.slice(place).first; number < map.slice(place).end; ++number) {
-            if (map.segment(number).owner != kNoPlane)
-                continue;
-            const int from = map.firstBeam(number);
-            const int to = map.lastBeam(number);
-            SegmentNumber partner = -1;
-            PlaneEstimate estimate;
-            double best = parameters.likelihood.apartGate;
-            visitFree(place - 1, number, map, [&](SegmentNumber other) {
-                const int shared = std::min(to, map.lastBeam(other)) - std::max(from, map.firstBeam(other)) + 1;
-                const int shorter = std::min(to - from, map.lastBeam(other) - map.firstBeam(other)) + 1;
-                if (2 * shared < shorter ||
-                    map.segment(other).statistics.points + map.segment(number).statistics.points < kPairPoints)
-                    return;
-                PlaneEstimate two;
-                const std::array pair{other, number};
-                if (fitSegments(pair, map, parameters, two) && two.chi() < best &&
-                    incidence(number, two, map) >= std::sin(parameters.planes.minIncidence)) {
-                    best = two.chi();
-                    partner = other;
-                    estimate = two;
-                }
-            });
-            if (partner < 0)
-                continue;
-            PlaneTrack* plane = map.makePlane({partner, number}, estimate, step, parameters);
-            if (plane == nullptr)
-                continue;
-            if (recorder.explains())
-                recorder.decide(DecisionKind::Fit, {idOf(partner, map), idOf(number, map)},
-                                {{"pair_chi2", best, Comparison::Less, parameters.likelihood.apartGate}},
-                                {PlaneRef{plane->id}});
-            plane->ofPair = true;
-            grow(*plane, map, parameters, step);
+            if (map.segment(number).owner == kNoPlane)
+                pairsOf(number, map, parameters, hypotheses);
         }
+    }
+    std::stable_sort(hypotheses.begin(), hypotheses.end(), [](const PairHypothesis& a, const PairHypothesis& b) {
+        return std::pair{a.parallelChi, a.chi} < std::pair{b.parallelChi, b.chi};
+    });
+    const int step = map.slice(map.slices() - 1).step;
+    for (const PairHypothesis& hypothesis : hypotheses) {
+        const auto& [a, b] = hypothesis.segments;
+        if (map.segment(a).owner != kNoPlane || map.segment(b).owner != kNoPlane)
+            continue;
+        PlaneTrack* plane = map.makePlane({a, b}, hypothesis.estimate, step, parameters);
+        if (plane == nullptr)
+            continue;
+        if (recorder.explains())
+            recorder.decide(DecisionKind::Fit, {idOf(a, map), idOf(b, map)},
+                            {{"pair_chi2", hypothesis.chi, Comparison::Less, parameters.likelihood.joinGate},
+                             {"parallel_chi2", hypothesis.parallelChi, Comparison::LessEqual, kNoParallel}},
+                            {PlaneRef{plane->id}});
+        plane->ofPair = true;
+        grow(*plane, map, parameters, step);
+        dropGrazing(*plane, map, parameters, recorder);
     }
 }
 

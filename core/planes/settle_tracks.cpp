@@ -16,6 +16,8 @@ constexpr double kContent = 2.0;
 /// Mean squared residual of a straight segment at most, beside its scatter: sensors are noisier than told.
 constexpr double kStraightChi = 2.0;
 
+/// However coarse the scan, a plane has so many points.
+constexpr double kFewestPoints = 12.0;
 /// Planes of more segments are not thinned out one by one.
 constexpr std::size_t kThinned = 60;
 
@@ -83,19 +85,6 @@ double bentShare(const PlaneTrack& plane, const TrackMap& map)
             bent += s.points;
     }
     return static_cast<double>(bent) / static_cast<double>(plane.points);
-}
-
-/// Mean sine of the angle at which rays meet the plane.
-double incidenceOf(const PlaneTrack& plane, const TrackMap& map)
-{
-    double sum = 0.0;
-    for (const SegmentNumber number : plane.members) {
-        const TrackedSegment& s = map.segment(number);
-        const SliceFrame& frame = map.slice(s.slice).frame;
-        const Eigen::Vector3d ray = frame.pointAt(s.statistics.u, s.statistics.v) - frame.origin;
-        sum += s.statistics.points * std::abs(plane.estimate.normal().dot(ray)) / ray.norm();
-    }
-    return sum / static_cast<double>(plane.points);
 }
 
 /// Degrees of freedom of a plane's χ²: two numbers a segment, less three of the plane.
@@ -192,7 +181,8 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
 {
     const LikelihoodParameters& p = parameters.likelihood;
     const double beamSolidAngle = map.bearingStep() * map.meanTiltStep();
-    const double minPoints = std::max(12.0, p.minSolidAngle / std::max(beamSolidAngle, 1e-9));
+    const double minPoints = std::clamp(p.minSolidAngle / std::max(beamSolidAngle, 1e-9), kFewestPoints,
+                                        std::max(kFewestPoints, static_cast<double>(p.enoughPoints)));
     std::vector<PlaneId> unfounded;
     for (PlaneTrack& plane : map.planes()) {
         const Strip strip = stripOf(plane, map);
@@ -207,7 +197,7 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
             {"reduced_chi2", plane.members.size() <= kThinned ? reducedChi(plane, map, parameters) : 0.0,
              Comparison::LessEqual, largestReducedChi(plane, parameters)},
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
-            {"incidence", incidenceOf(plane, map), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
+            {"incidence", map.meanIncidence(plane), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };
         if (std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); }))
             continue;

@@ -87,6 +87,22 @@ const PlaneInSlice& TrackMap::seenIn(PlaneTrack& plane, int place)
     return plane.seen;
 }
 
+double TrackMap::incidence(SegmentNumber number, const PlaneEstimate& estimate) const
+{
+    const TrackedSegment& s = segment(number);
+    const SliceFrame& frame = slice(s.slice).frame;
+    const Eigen::Vector3d ray = frame.pointAt(s.statistics.u, s.statistics.v) - frame.origin;
+    return std::abs(estimate.normal().dot(ray)) / ray.norm();
+}
+
+double TrackMap::meanIncidence(const PlaneTrack& plane) const
+{
+    double sum = 0.0;
+    for (const SegmentNumber number : plane.members)
+        sum += segment(number).statistics.points * incidence(number, plane.estimate);
+    return sum / static_cast<double>(plane.points);
+}
+
 void TrackMap::touch(PlaneTrack& plane, int step)
 {
     plane.changedStep = step;

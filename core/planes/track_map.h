@@ -105,6 +105,11 @@ public:
         return plane.estimate.joinChi(seenIn(plane, s.slice), s.statistics, noise, floor);
     }
 
+    /// Sine of the angle at which the ray to a segment's centroid meets a plane.
+    double incidence(SegmentNumber number, const PlaneEstimate& estimate) const;
+    /// The same on average over a plane's points. Near zero it is a slice's own plane, which fits all of the slice.
+    double meanIncidence(const PlaneTrack& plane) const;
+
     /// Makes a plane of these segments, which belong to none. None where they do not determine one.
     PlaneTrack* makePlane(std::vector<SegmentNumber> members, const PlaneEstimate& start, int step,
                           const Parameters& parameters);

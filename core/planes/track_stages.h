@@ -21,6 +21,9 @@ std::vector<SegmentNumber> joinTracks(TrackMap& map, const Parameters& parameter
 /// they meet.
 void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, StepRecorder& recorder);
 
+/// Dissolves planes of few slices that have turned into the slices that they are made of.
+void dropYoungGrazing(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
 /// Makes planes of two facing segments of neighbouring slices, where three were not to be had; only for the last pass.
 void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 

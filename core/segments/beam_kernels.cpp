@@ -69,8 +69,8 @@ PLANEWRIGHT_BODY Number countedDeviation(Number u, Number v, Number relativeVari
 }
 
 template <class Number>
-PLANEWRIGHT_BODY int farthestBody(const BeamArraysOf<Number>& points, int first, int last, int stride,
-                                  const ChordOf<Number>& chord, const DeviationLimitsOf<Number>& limits)
+PLANEWRIGHT_BODY int farthestExactlyBody(const BeamArraysOf<Number>& points, int first, int last,
+                                         const ChordOf<Number>& chord, const DeviationLimitsOf<Number>& limits)
 {
     const Number* __restrict u = points.u;
     const Number* __restrict v = points.v;
@@ -79,20 +79,47 @@ PLANEWRIGHT_BODY int farthestBody(const BeamArraysOf<Number>& points, int first,
     const Number normalV = chord.directionU;
     const Number offset = normalU * chord.u + normalV * chord.v;
     Number largest = 0;
-    if (stride == 1) {
-        for (int i = first; i <= last; ++i)
-            largest = std::max(largest, countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits));
-    } else {
-        for (int i = first; i <= last; i += stride)
-            largest = std::max(largest, countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits));
-    }
+    for (int i = first; i <= last; ++i)
+        largest = std::max(largest, countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits));
     if (largest == Number{0})
         return -1;
-    for (int i = first; i <= last; i += stride) {
+    for (int i = first; i <= last; ++i) {
         if (countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits) == largest)
             return i;
     }
     return -1;
+}
+
+/// The same in sixteen lanes at once; those past the end are looked at but do not count.
+PLANEWRIGHT_BODY int farthestBody(const BeamArrays& points, int first, int last, const ChordF& chord,
+                                  const DeviationLimits& limits)
+{
+    const float* __restrict u = points.u;
+    const float* __restrict v = points.v;
+    const float* __restrict relative = points.relativeVariance;
+    const float normalU = -chord.directionV;
+    const float normalV = chord.directionU;
+    const float offset = normalU * chord.u + normalV * chord.v;
+    float best[kLanes] = {};
+    int found[kLanes] = {};
+    for (int i = first; i <= last; i += kLanes) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+            const float deviation =
+                countedDeviation(u[i + lane], v[i + lane], relative[i + lane], normalU, normalV, offset, limits);
+            const bool better = (lane <= last - i) & (deviation > best[lane]);
+            best[lane] = better ? deviation : best[lane];
+            found[lane] = better ? i : found[lane];
+        }
+    }
+    float largest = 0.0F;
+    for (const float lane : best)
+        largest = std::max(largest, lane);
+    if (largest == 0.0F)
+        return -1;
+    int farthest = last;
+    for (int lane = 0; lane < kLanes; ++lane)
+        farthest = std::min(farthest, best[lane] == largest ? found[lane] + lane : last);
+    return farthest;
 }
 
 PLANEWRIGHT_BODY float laneSum(const float* lanes)
@@ -136,12 +163,12 @@ PLANEWRIGHT_BODY ChordSums sumsBody(const BeamArrays& points, int first, int las
     float sumTT[kLanes] = {};
     float sumTH[kLanes] = {};
     float sumHH[kLanes] = {};
-    const auto add = [&](int i, int lane) {
+    const auto add = [&](int i, int lane, bool counts) {
         const float du = u[i] - chord.u;
         const float dv = v[i] - chord.v;
         const float t = chord.directionU * du + chord.directionV * dv;
         const float h = chord.directionU * dv - chord.directionV * du;
-        const float w = weigh(t);
+        const float w = counts ? weigh(t) : 0.0F;
         const float wt = w * t;
         const float wh = w * h;
         sumW[lane] += w;
@@ -154,10 +181,12 @@ PLANEWRIGHT_BODY ChordSums sumsBody(const BeamArrays& points, int first, int las
     int i = first;
     for (; i + kLanes <= last + 1; i += kLanes) {
         for (int lane = 0; lane < kLanes; ++lane)
-            add(i + lane, lane);
+            add(i + lane, lane, true);
     }
-    for (int lane = 0; i <= last; ++i, ++lane)
-        add(i, lane);
+    if (i <= last) {
+        for (int lane = 0; lane < kLanes; ++lane)
+            add(i + lane, lane, lane <= last - i);
+    }
     return {laneSum(sumW), laneSum(sumT), laneSum(sumH), laneSum(sumTT), laneSum(sumTH), laneSum(sumHH)};
 }
 
@@ -203,15 +232,15 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     {                                                                                                                  \
         markGapsBody(points, range, count, gapPerRange, sigmas, marks);                                                \
     }                                                                                                                  \
-    TARGET int farthest##KIND(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,          \
+    TARGET int farthest##KIND(const BeamArrays& points, int first, int last, const ChordF& chord,                      \
                               const DeviationLimits& limits)                                                           \
     {                                                                                                                  \
-        return farthestBody(points, first, last, stride, chord, limits);                                               \
+        return farthestBody(points, first, last, chord, limits);                                                       \
     }                                                                                                                  \
     TARGET int farthestExactly##KIND(const BeamArraysOf<double>& points, int first, int last,                          \
                                      const ChordOf<double>& chord, const DeviationLimitsOf<double>& limits)            \
     {                                                                                                                  \
-        return farthestBody(points, first, last, 1, chord, limits);                                                    \
+        return farthestExactlyBody(points, first, last, chord, limits);                                                \
     }                                                                                                                  \
     TARGET ChordSums sums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord)                    \
     {                                                                                                                  \

@@ -61,7 +61,7 @@ struct BeamKernels {
     const char* name;
 
     /// range [m], u and v of every beam, and σ_ρ²/ρ²; all 0 where the range is outside the limits. Gives the number of
-    /// beams inside. All arrays have a multiple of sixteen elements.
+    /// beams inside.
     int (*place)(const double* ranges, const float* cosine, const float* sine, int beams, float rangeMin,
                  float rangeMax, float constantVariance, float proportionalVariance, float* range, float* u, float* v,
                  float* relativeVariance);
@@ -81,12 +81,11 @@ struct BeamKernels {
     void (*markGapsExactly)(const BeamArraysOf<double>& points, const double* range, int count, double gapPerRange,
                             double sigmas, std::uint8_t* marks);
 
-    /// The point of [first, last] with the largest deviation from the chord among those beyond the limits, every
-    /// `stride`th looked at; −1 where there is none.
-    int (*farthest)(const BeamArrays& points, int first, int last, int stride, const ChordF& chord,
-                    const DeviationLimits& limits);
+    /// The point of [first, last] with the largest deviation from the chord among those beyond the limits; −1 where
+    /// there is none. Fifteen elements of the arrays after `last` are read, here and in the sums.
+    int (*farthest)(const BeamArrays& points, int first, int last, const ChordF& chord, const DeviationLimits& limits);
 
-    /// The same for numbers of double precision, every point looked at.
+    /// The same for numbers of double precision, with nothing read after `last`.
     int (*farthestExactly)(const BeamArraysOf<double>& points, int first, int last, const ChordOf<double>& chord,
                            const DeviationLimitsOf<double>& limits);
 

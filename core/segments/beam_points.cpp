@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 
 #include "core/segments/breakpoints.h"
 
@@ -14,6 +16,8 @@ namespace {
 
 /// Beams over which 1/ρ may be followed across a gap.
 constexpr int kFollowedBeams = 4;
+/// Elements that the loops over points may read after the last.
+constexpr std::size_t kReadAhead = 15;
 
 double square(double x)
 {
@@ -22,19 +26,31 @@ double square(double x)
 
 }  // namespace
 
-/// Closes up the beams without echo.
+/// Closes up the beams without echo, a run of echoes at a time.
 void BeamPoints::dropMissing(int beams)
 {
-    int kept = 0;
-    for (int i = 0; i < beams; ++i) {
-        const auto from = at(i);
-        const auto to = static_cast<std::size_t>(kept);
-        beam_[to] = i;
-        u_[to] = u_[from];
-        v_[to] = v_[from];
-        relativeVariance_[to] = relativeVariance_[from];
-        kept += range_[from] > 0.0F ? 1 : 0;
-        range_[to] = range_[from];
+    const auto missing = [](float range) { return !(range > 0.0F); };
+    const auto end = range_.begin() + beams;
+    std::size_t kept = 0;
+    wideGaps_.clear();
+    for (auto run = range_.begin(); run != end;) {
+        if (missing(*run)) {
+            ++run;
+            continue;
+        }
+        const auto next = std::find_if(run, end, missing);
+        const auto from = static_cast<std::size_t>(run - range_.begin());
+        const auto count = static_cast<std::size_t>(next - run);
+        if (kept > 0 && static_cast<int>(from) - beam_[kept - 1] > kBridgedBeams)
+            wideGaps_.push_back(static_cast<int>(kept));
+        std::iota(beam_.begin() + static_cast<std::ptrdiff_t>(kept),
+                  beam_.begin() + static_cast<std::ptrdiff_t>(kept + count), static_cast<int>(from));
+        if (kept != from) {
+            for (std::vector<float>* numbers : {&range_, &u_, &v_, &relativeVariance_})
+                std::memmove(numbers->data() + kept, numbers->data() + from, count * sizeof(float));
+        }
+        kept += count;
+        run = next;
     }
 }
 
@@ -54,11 +70,12 @@ void BeamPoints::place(const ScanSlice& slice, const SensorModel& sensor, const 
     tables_.select(slice);
     const BearingTables<float>::Table& table = tables_.current();
     const int beams = static_cast<int>(slice.ranges.size());
-    if (range_.size() != slice.ranges.size()) {
-        range_.resize(slice.ranges.size());
-        u_.resize(slice.ranges.size());
-        v_.resize(slice.ranges.size());
-        relativeVariance_.resize(slice.ranges.size());
+    if (beam_.size() != slice.ranges.size()) {
+        const std::size_t padded = slice.ranges.size() + kReadAhead;
+        range_.resize(padded);
+        u_.resize(padded);
+        v_.resize(padded);
+        relativeVariance_.resize(padded);
         beam_.resize(slice.ranges.size());
         marks_.resize(slice.ranges.size());
     }
@@ -70,8 +87,8 @@ void BeamPoints::place(const ScanSlice& slice, const SensorModel& sensor, const 
     if (count_ < beams) {
         dropMissing(beams);
     } else {
-        for (int i = 0; i < beams; ++i)
-            beam_[at(i)] = i;
+        std::iota(beam_.begin(), beam_.end(), 0);
+        wideGaps_.clear();
     }
 }
 
@@ -97,12 +114,12 @@ void BeamPoints::liftGaps(const Parameters& parameters, double bearingStep)
         const double difference = std::abs(here - there);
         return difference < 9.6 * sigma * (beam(i) - beam(i - 1)) && difference < 0.5 * larger;
     };
-    for (int i = 1; i < count_; ++i) {
+    for (const int i : wideGaps_)
+        marks_[at(i)] = 1;
+    for (int i = nextBreak(1); i < count_; i = nextBreak(i + 1)) {
         std::uint8_t& mark = marks_[at(i)];
         const int beams = beam(i) - beam(i - 1);
         if (beams > kBridgedBeams)
-            mark = 1;
-        if (mark == 0 || beams > kBridgedBeams)
             continue;
         if (beams > 1) {
             const double limit =
@@ -115,6 +132,14 @@ void BeamPoints::liftGaps(const Parameters& parameters, double bearingStep)
         if (near(i) && (goesOn(i, i - 1) || goesOn(i, i + 1)))
             mark = 0;
     }
+}
+
+int BeamPoints::nextBreak(int i) const
+{
+    if (i >= count_)
+        return count_;
+    const void* mark = std::memchr(marks_.data() + i, 1, at(count_ - i));
+    return mark == nullptr ? count_ : static_cast<int>(static_cast<const std::uint8_t*>(mark) - marks_.data());
 }
 
 ChordF BeamPoints::chordOf(int first, int last) const

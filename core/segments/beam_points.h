@@ -36,6 +36,8 @@ public:
     int beam(int i) const { return beam_[at(i)]; }
     /// True where a new surface begins with point i.
     bool breaksBefore(int i) const { return marks_[at(i)] != 0; }
+    /// The first point from i on with which a new surface begins; count() where there is none.
+    int nextBreak(int i) const;
 
     BeamArrays arrays() const { return {u_.data(), v_.data(), relativeVariance_.data()}; }
     const BeamKernels& kernels() const { return *kernels_; }
@@ -57,6 +59,7 @@ private:
     std::vector<int> beam_;                                // of each echo
     int count_ = 0;
     std::vector<std::uint8_t> marks_;
+    std::vector<int> wideGaps_;  // points before which too many beams are missing
 };
 
 }  // namespace planewright

@@ -6,165 +6,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/types/angle.h"
+
 namespace planewright {
 
 namespace {
 
-/// How many points beside a division may change sides.
-constexpr int kMovablePoints = 6;
-/// Points that a line of its own needs.
-constexpr int kShortestPiece = 4;
+/// The fewest points of a segment are told for this angle between beams [rad]; a wider one needs fewer, but so many.
+constexpr double kToldStep = degrees(0.25);
+constexpr int kFewestPoints = 3;
 /// Points at each end of a piece that may be left out as strangers, and how far off they are, in standard deviations.
 constexpr int kTrimmedPoints = 2;
 constexpr double kTrimSigmas = 2.5;
-/// Points farther than this from their line are left out where the line explains its points badly.
-constexpr double kClipSigmas = 3.0;
-/// Divisions one within the other before a piece is halved instead.
-constexpr int kDeepestDivision = 48;
-/// Pieces longer than this are tried on every fourth point first, and only a clear hit is trusted.
-constexpr int kLongPiece = 48;
-constexpr int kStride = 4;
-constexpr float kClearHit = 1.5F * 1.5F;
 /// A single weight serves a segment whose ranges differ by less than this factor.
 constexpr double kOneWeightRatio = 1.6;
 /// χ² with two degrees of freedom that the common line of two pieces may cost: 99.9 %.
 constexpr double kCommonLine = 13.8;
-/// No variance is taken for smaller [m²], lest a scanner without noise divide by zero.
-constexpr double kLeastVariance = 1e-12;
-
-double square(double x)
-{
-    return x * x;
-}
-
-/// Variance of a point across a line of this normal [m²]: range noise along the ray, bearing noise across it.
-double varianceAcross(double normalU, double normalV, double u, double v, const NoiseParameters& noise)
-{
-    const double along = square(normalU * u + normalV * v);
-    const double across = square(normalV * u - normalU * v);
-    const double relative =
-        square(noise.rangeConstant) / std::max(along + across, kLeastVariance) + square(noise.rangeProportional);
-    return std::max(kLeastVariance, along * relative + across * square(noise.bearing));
-}
-
-double centroidVariance(const MomentLine& line, const LineMoments& moments, const NoiseParameters& noise)
-{
-    return varianceAcross(line.normalU(), line.normalV(), moments.u, moments.v, noise);
-}
-
-double distanceTo(const MomentLine& line, const LineMoments& moments, double u, double v)
-{
-    return line.normalU() * (u - moments.u) + line.normalV() * (v - moments.v);
-}
-
-/// Largest sum of squares, in variances, that a straight piece of so many points plausibly has.
-double largestChi(double points)
-{
-    const double freedom = std::max(1.0, points - 2.0);
-    return freedom + 3.0 * std::sqrt(2.0 * freedom);
-}
 
 }  // namespace
 
-/// Splits a run at the points farthest from its chords, and settles the borders between the pieces.
-void StatisticsExtractor::splitRun(int first, int last, const Parameters& parameters)
-{
-    const auto fixed = static_cast<float>(square(parameters.segments.splitDistance));
-    const auto sigmas = static_cast<float>(square(parameters.segments.splitSigmas));
-    const auto bearing = static_cast<float>(square(parameters.noise.bearing));
-    const DeviationLimits limits{fixed, sigmas, bearing};
-    const DeviationLimits clear{kClearHit * fixed, kClearHit * sigmas, bearing};
-    const BeamArrays points = points_.arrays();
-    const auto divisionOf = [&](const Open& open) {
-        if (open.last - open.first < 2)
-            return -1;
-        const ChordF chord = points_.chordOf(open.first, open.last);
-        if (open.last - open.first >= kLongPiece) {
-            const int hit =
-                points_.kernels().farthest(points, open.first + kStride, open.last - kStride, kStride, chord, clear);
-            if (hit >= 0)
-                return points_.kernels().farthest(points, std::max(open.first + 1, hit - kStride),
-                                                  std::min(open.last - 1, hit + kStride), 1, chord, limits);
-        }
-        return points_.kernels().farthest(points, open.first + 1, open.last - 1, 1, chord, limits);
-    };
-
-    const std::size_t begin = pieces_.size();
-    open_.clear();
-    open_.push_back({first, last, 0});
-    while (!open_.empty()) {
-        const Open open = open_.back();
-        open_.pop_back();
-        int division = divisionOf(open);
-        if (division < 0) {
-            // Neighbours share their point of division; it belongs to the left one until the border is settled.
-            const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
-            const int start = shared ? open.first + 1 : open.first;
-            if (open.last - start + 1 >= kShortestPiece)
-                pieces_.push_back({start, open.last, points_.momentsOf(start, open.last)});
-            continue;
-        }
-        if (open.depth >= kDeepestDivision)
-            division = (open.first + open.last) / 2;
-        open_.push_back({division, open.last, open.depth + 1});
-        open_.push_back({open.first, division, open.depth + 1});
-    }
-    for (std::size_t i = begin + 1; i < pieces_.size(); ++i)
-        settleBorder(pieces_[i - 1], pieces_[i], parameters.noise);
-}
-
-/// Moves the border between two neighbouring pieces to where their lines say it is; points of no piece between them
-/// take part.
-void StatisticsExtractor::settleBorder(Piece& left, Piece& right, const NoiseParameters& noise) const
-{
-    if (right.first - left.last - 1 > kMovablePoints)
-        return;
-    const auto movable = [](const Piece& piece) { return std::clamp(piece.points() / 3, 1, kMovablePoints); };
-    const int low = left.last - movable(left) + 1;
-    const int high = right.first + movable(right) - 1;
-    for (int i = low; i <= left.last; ++i)
-        left.moments.remove(points_.u(i), points_.v(i));
-    for (int i = right.first; i <= high; ++i)
-        right.moments.remove(points_.u(i), points_.v(i));
-    const MomentLine leftLine = lineOf(left.moments);
-    const MomentLine rightLine = lineOf(right.moments);
-    const double leftVariance = centroidVariance(leftLine, left.moments, noise);
-    const double rightVariance = centroidVariance(rightLine, right.moments, noise);
-    // Of all borders in reach the one with the smallest sum of squares, where a stranger to both counts as a limit.
-    constexpr double kStranger = kClipSigmas * kClipSigmas;
-    const auto leftCost = [&](int i) {
-        return square(distanceTo(leftLine, left.moments, points_.u(i), points_.v(i))) / leftVariance;
-    };
-    const auto rightCost = [&](int i) {
-        return square(distanceTo(rightLine, right.moments, points_.u(i), points_.v(i))) / rightVariance;
-    };
-    double sum = 0.0;
-    double best = 0.0;
-    int border = low;  // first point of the right piece
-    for (int i = low; i <= high; ++i) {
-        sum += std::min(leftCost(i), kStranger) - std::min(rightCost(i), kStranger);
-        if (sum < best) {
-            best = sum;
-            border = i + 1;
-        }
-    }
-    left.last = border - 1;
-    right.first = border;
-    while (left.last >= low && leftCost(left.last) > kStranger)
-        --left.last;
-    while (right.first <= high && rightCost(right.first) > kStranger)
-        ++right.first;
-    for (int i = low; i <= left.last; ++i)
-        left.moments.add(points_.u(i), points_.v(i));
-    for (int i = right.first; i <= high; ++i)
-        right.moments.add(points_.u(i), points_.v(i));
-}
-
 /// Leaves out up to two points at each end that do not lie on the line of the others: mixed pixels at an edge.
-void StatisticsExtractor::trimEnds(Piece& piece, const NoiseParameters& noise) const
+void StatisticsExtractor::trimEnds(LinePiece& piece, const NoiseParameters& noise) const
 {
     for (int side = 0; side < 2; ++side) {
-        for (int trimmed = 0; trimmed < kTrimmedPoints && piece.points() > kShortestPiece; ++trimmed) {
+        for (int trimmed = 0; trimmed < kTrimmedPoints && piece.points() > shortest_; ++trimmed) {
             const int i = side == 0 ? piece.first : piece.last;
             MomentLine line = lineOf(piece.moments);
             const double suspicious = square(0.5 * kTrimSigmas) * centroidVariance(line, piece.moments, noise);
@@ -188,7 +53,7 @@ void StatisticsExtractor::trimEnds(Piece& piece, const NoiseParameters& noise) c
 }
 
 /// Leaves the points out that lie off the line, where it explains its points badly.
-void StatisticsExtractor::clip(Piece& piece, const NoiseParameters& noise) const
+void StatisticsExtractor::clip(LinePiece& piece, const NoiseParameters& noise) const
 {
     const MomentLine line = lineOf(piece.moments);
     const double variance = centroidVariance(line, piece.moments, noise);
@@ -200,13 +65,13 @@ void StatisticsExtractor::clip(Piece& piece, const NoiseParameters& noise) const
         if (square(distanceTo(line, piece.moments, points_.u(i), points_.v(i))) < square(kClipSigmas) * own)
             inside.add(points_.u(i), points_.v(i));
     }
-    if (inside.count < kShortestPiece || 2.0 * inside.count < piece.moments.count)
+    if (inside.count < shortest_ || 2.0 * inside.count < piece.moments.count)
         return;
     piece.clipped = inside.count < piece.moments.count;
     piece.moments = inside;
 }
 
-bool StatisticsExtractor::belongTogether(const Piece& left, const Piece& right, const Parameters& parameters,
+bool StatisticsExtractor::belongTogether(const LinePiece& left, const LinePiece& right, const Parameters& parameters,
                                          double bearingStep, LineMoments& together) const
 {
     if (right.first - left.last - 1 > kTrimmedPoints)
@@ -224,7 +89,7 @@ bool StatisticsExtractor::belongTogether(const Piece& left, const Piece& right, 
     return line.across - apart < kCommonLine * variance && line.across < variance * largestChi(together.count);
 }
 
-SegmentStatistics StatisticsExtractor::statisticsOf(const Piece& piece, const NoiseParameters& noise) const
+SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, const NoiseParameters& noise) const
 {
     const LineMoments& moments = piece.moments;
     MomentLine line = lineOf(moments);
@@ -320,33 +185,28 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
                                   std::vector<SegmentStatistics>& segments)
 {
     points_.take(slice, sensor, parameters);
-    pieces_.clear();
-    int first = 0;
-    for (int i = 1; i <= points_.count(); ++i) {
-        if (i < points_.count() && !points_.breaksBefore(i))
-            continue;
-        if (i - first >= kShortestPiece)
-            splitRun(first, i - 1, parameters);
-        first = i;
-    }
+    // Narrow faces must be seen by coarse scanners too: what counts as short follows the resolution.
+    const int told = std::max(kFewestPoints, parameters.segments.minPoints);
+    shortest_ = std::clamp(static_cast<int>(std::lround(told * kToldStep / slice.bearingStep)), kFewestPoints, told);
+    const std::span<LinePiece> pieces = straight_.divide(points_, shortest_, parameters);
 
     std::size_t kept = 0;
-    for (Piece& piece : pieces_) {
+    for (LinePiece& piece : pieces) {
         trimEnds(piece, parameters.noise);
         clip(piece, parameters.noise);
         LineMoments together;
-        if (kept > 0 && belongTogether(pieces_[kept - 1], piece, parameters, slice.bearingStep, together)) {
-            Piece& before = pieces_[kept - 1];
+        if (kept > 0 && belongTogether(pieces[kept - 1], piece, parameters, slice.bearingStep, together)) {
+            LinePiece& before = pieces[kept - 1];
             before.clipped = before.clipped || piece.clipped || piece.first != before.last + 1;
             before.last = piece.last;
             before.moments = together;
         } else {
-            pieces_[kept++] = piece;
+            pieces[kept++] = piece;
         }
     }
     for (std::size_t i = 0; i < kept; ++i) {
-        if (pieces_[i].moments.count >= static_cast<double>(parameters.segments.minPoints))
-            segments.push_back(statisticsOf(pieces_[i], parameters.noise));
+        if (pieces[i].moments.count >= static_cast<double>(shortest_))
+            segments.push_back(statisticsOf(pieces[i], parameters.noise));
     }
 }
 

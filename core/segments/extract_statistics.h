@@ -8,8 +8,8 @@
 #include "core/geometry/sensor_model.h"
 #include "core/params/parameters.h"
 #include "core/segments/beam_points.h"
-#include "core/segments/line_moments.h"
 #include "core/segments/segment_statistics.h"
+#include "core/segments/straight_pieces.h"
 #include "core/types/scan_slice.h"
 
 namespace planewright {
@@ -33,32 +33,15 @@ public:
     int echoes() const { return points_.count(); }
 
 private:
-    /// Neighbouring points by their place among the echoes, both ends included, and their moments.
-    struct Piece {
-        int first = 0;
-        int last = 0;
-        LineMoments moments;
-        bool clipped = false;  ///< points beyond 3 σ were left out of the moments
-
-        int points() const { return last - first + 1; }
-    };
-    struct Open {
-        int first = 0;
-        int last = 0;
-        int depth = 0;
-    };
-
-    void splitRun(int first, int last, const Parameters& parameters);
-    void settleBorder(Piece& left, Piece& right, const NoiseParameters& noise) const;
-    void trimEnds(Piece& piece, const NoiseParameters& noise) const;
-    void clip(Piece& piece, const NoiseParameters& noise) const;
-    bool belongTogether(const Piece& left, const Piece& right, const Parameters& parameters, double bearingStep,
+    void trimEnds(LinePiece& piece, const NoiseParameters& noise) const;
+    void clip(LinePiece& piece, const NoiseParameters& noise) const;
+    bool belongTogether(const LinePiece& left, const LinePiece& right, const Parameters& parameters, double bearingStep,
                         LineMoments& together) const;
-    SegmentStatistics statisticsOf(const Piece& piece, const NoiseParameters& noise) const;
+    SegmentStatistics statisticsOf(const LinePiece& piece, const NoiseParameters& noise) const;
 
     BeamPoints points_;
-    std::vector<Open> open_;
-    std::vector<Piece> pieces_;
+    int shortest_ = 0;  // points of the shortest piece
+    StraightPieces straight_;
 };
 
 }  // namespace planewright

@@ -32,20 +32,23 @@ struct LineMoments {
 
     void add(double pointU, double pointV) { add({1.0, pointU, pointV, 0.0, 0.0, 0.0}); }
 
-    /// Takes out a point that is in it; at least one must stay.
-    void remove(double pointU, double pointV)
+    /// Takes out points that are in it; at least one must stay.
+    void remove(const LineMoments& other)
     {
-        const double left = count - 1.0;
-        const double du = pointU - u;
-        const double dv = pointV - v;
-        u -= du / left;
-        v -= dv / left;
-        const double shared = count / left;
-        uu -= shared * du * du;
-        uv -= shared * du * dv;
-        vv -= shared * dv * dv;
+        const double left = count - other.count;
+        const double du = other.u - u;
+        const double dv = other.v - v;
+        const double share = other.count / left;
+        u -= share * du;
+        v -= share * dv;
+        const double shared = share * count;
+        uu -= other.uu + shared * du * du;
+        uv -= other.uv + shared * du * dv;
+        vv -= other.vv + shared * dv * dv;
         count = left;
     }
+
+    void remove(double pointU, double pointV) { remove({1.0, pointU, pointV, 0.0, 0.0, 0.0}); }
 };
 
 /// A straight line in the slice's plane through its points' mean, by total least squares.

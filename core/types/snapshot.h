@@ -9,6 +9,7 @@
 #include "core/types/line_segment.h"
 #include "core/types/plane.h"
 #include "core/types/segment_log.h"
+#include "core/types/sensor_noise.h"
 #include "core/types/step_report.h"
 
 namespace planewright {
@@ -17,6 +18,7 @@ namespace planewright {
 /// change.
 struct Snapshot {
     StepReport report;
+    SensorNoise noise;
     SegmentLog segments;                                            ///< of all slices so far
     std::vector<std::shared_ptr<const Plane>> planes;               ///< in order of id
     std::vector<std::shared_ptr<const DirectionCluster>> clusters;  ///< in order of id; those that hold a segment

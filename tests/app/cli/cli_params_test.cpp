@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/params/manual_page.h"
+#include "core/params/presets.h"
 #include "core/params/registry.h"
 #include "run_program.h"
 
@@ -30,12 +31,14 @@ void CliParamsTest::listsEveryParameterWithItsDefault()
     const QStringList lines = QString::fromUtf8(run.out).split('\n', Qt::SkipEmptyParts);
 
     QCOMPARE(run.code, 0);
+    Parameters defaults;
+    apply(methodPresets().front(), defaults);
     QCOMPARE(lines.size(), static_cast<qsizetype>(parameterRows().size()) + 1);
     for (std::size_t i = 0; i < parameterRows().size(); ++i) {
         const ParameterRow& row = parameterRows()[i];
         const QStringList words = lines[static_cast<qsizetype>(i) + 1].split(' ', Qt::SkipEmptyParts);
         QCOMPARE(words[0].toStdString(), std::string{row.key});
-        QCOMPARE(words[1].toStdString(), printParameter(Parameters{}, row.key));
+        QCOMPARE(words[1].toStdString(), printParameter(defaults, row.key));
     }
     QCOMPARE(runProgram({"params", "list"}).out, run.out);
 }

@@ -102,7 +102,12 @@ struct Labelled {
         const auto begin = labels[static_cast<std::size_t>(slice)].begin();
         return {begin + first, begin + last + 1};
     }
-    void complete() { completeLabels(labels, snapshot, recording, parameters); }
+    void complete()
+    {
+        snapshot.noise = {parameters.noise.rangeConstant, parameters.noise.rangeProportional, parameters.noise.pitch,
+                          false};
+        completeLabels(labels, snapshot, recording, parameters);
+    }
 };
 
 Line repeated(int count, PlaneId id)

@@ -44,6 +44,8 @@ private slots:
     void planesOfSimulatedRoomsAreFound();
     void noiseFreeWallsAreExact();
     void covariancesAreHonest();
+    void theNoiseOfTheScannerIsFound_data();
+    void theNoiseOfTheScannerIsFound();
     void explanationsChangeNothing();
     void everyDecisionHasItsNumbers();
     void snapshotsInBetweenChangeNothing();
@@ -122,6 +124,35 @@ void PreciseRoomsTest::covariancesAreHonest()
     std::sort(squares.begin(), squares.end());
     const double median = squares[squares.size() / 2];
     QVERIFY2(median > 2.366 / 1.5 && median < 2.366 * 1.5, qPrintable(QString::number(median)));
+}
+
+void PreciseRoomsTest::theNoiseOfTheScannerIsFound_data()
+{
+    QTest::addColumn<double>("rangeSigma");
+    QTest::addColumn<double>("pitchSigma");
+    QTest::newRow("as told") << 0.008 << 0.084;
+    QTest::newRow("worse") << 0.015 << 0.15;
+    QTest::newRow("better") << 0.005 << 0.05;
+}
+
+void PreciseRoomsTest::theNoiseOfTheScannerIsFound()
+{
+    QFETCH(double, rangeSigma);
+    QFETCH(double, pitchSigma);
+    const Scene scene = *makeScene("hall", 2);
+    SimulationNoise noise = *simulationNoise("default");
+    noise.rangeConstant = rangeSigma;
+    noise.pitch = degrees(pitchSigma);
+    const SimulatedScan scan = simulate(scene, *acquisitionSettings("table8"), noise, 2);
+
+    const SensorNoise found = extracted(scan.recording, precise())->noise;
+
+    QVERIFY(found.estimated);
+    for (const double range : {2.0, 6.0, 12.0}) {
+        const double sigma = std::hypot(found.rangeConstant, found.rangeProportional * range);
+        QVERIFY2(std::abs(sigma / noise.rangeSigma(range) - 1.0) < 0.2, qPrintable(QString::number(sigma)));
+    }
+    QVERIFY2(std::abs(found.pitch / noise.pitch - 1.0) < 0.25, qPrintable(QString::number(toDegrees(found.pitch))));
 }
 
 void PreciseRoomsTest::explanationsChangeNothing()
@@ -224,6 +255,7 @@ void PreciseRoomsTest::changedParametersTakeEffect()
     const SimulatedRoom room = scanOf("office", "default", 1);
     Parameters large = precise();
     QVERIFY(setParameter(large, "likelihood.min-solid-angle", "0.5"));
+    QVERIFY(setParameter(large, "likelihood.enough-points", "1000000"));
     PlaneExtractor extractor(sensorOf(room.scan.recording.description), precise());
 
     for (const ScanSlice& slice : room.scan.recording.slices)

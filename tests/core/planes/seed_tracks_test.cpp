@@ -250,7 +250,9 @@ void SeedTracksTest::aPlaneMetAtAGrazingAngleIsNone_data()
     QTest::addColumn<bool>("made");
 
     QTest::newRow("2.9 degrees") << 2.9 << false;
-    QTest::newRow("3.1 degrees") << 3.1 << true;
+    // A little above 3 degrees it is not met for sure: its normal is not known that well.
+    QTest::newRow("3.1 degrees") << 3.1 << false;
+    QTest::newRow("12 degrees") << 12.0 << true;
 }
 
 void SeedTracksTest::aPlaneMetAtAGrazingAngleIsNone()
@@ -533,7 +535,7 @@ void SeedTracksTest::twoFacingSegmentsMakeAPlaneOfAPair()
     QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, 1}));
     QVERIFY(allPass(fits[0].tests));
     QVERIFY(testOf(fits[0].tests, "pair_chi2").value < 1e-9);
-    QCOMPARE(testOf(fits[0].tests, "pair_chi2").limit, scan.parameters.likelihood.apartGate);
+    QCOMPARE(testOf(fits[0].tests, "pair_chi2").limit, scan.parameters.likelihood.joinGate);
 }
 
 void SeedTracksTest::aPairNeedsFortyPoints()

@@ -58,6 +58,7 @@ private slots:
     void missingBeamsDoNotEndAWall();
     void aPillarEndsAWall();
     void aDoorSetBackAFewCentimetresIsASegmentOfItsOwn();
+    void aStepThatNoSinglePointShowsIsFound();
     void aMixedPixelEndsNoSegment();
     void aCurveIsNoStraightSegment();
     void aStrangerIsClippedAndWeighsLess();
@@ -150,6 +151,25 @@ void ExtractStatisticsTest::aDoorSetBackAFewCentimetresIsASegmentOfItsOwn()
     });
     QVERIFY(door != segments.end());
     QVERIFY(std::abs(door->v - 2.07) < 0.004);
+}
+
+void ExtractStatisticsTest::aStepThatNoSinglePointShowsIsFound()
+{
+    // 50 mm of depth in noise of 15 mm: less than the 4.5 standard deviations at which a single point splits.
+    const std::vector<DrawnWall> walls{{{1.5, 2.0}, {0.1, 2.0}}, {{0.1, 2.05}, {-1.2, 2.05}}};
+    Parameters parameters = precise();
+    parameters.noise.rangeConstant = 0.015;
+
+    const auto segments =
+        segmentsOf(noisy(drawn(emptySlice(degrees(55.0), degrees(0.25), 261), walls), 0.015, 5), parameters);
+
+    QCOMPARE(segments.size(), std::size_t{2});
+    for (std::size_t i = 0; i < 2; ++i) {
+        QVERIFY(distanceToCentroid(walls[i], segments[i]) < 4.0 * 0.015 / std::sqrt(segments[i].points));
+        QVERIFY(angleTo(walls[i], segments[i]) < 4.0 / std::sqrt(segments[i].slopeInformation));
+    }
+    // The step is 0.1 m right of straight ahead at 2 m: after 32 degrees of the slice's, to a few beams.
+    QVERIFY(std::abs(segments[0].lastBeam - 128) <= 8);
 }
 
 void ExtractStatisticsTest::aMixedPixelEndsNoSegment()

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/planes/pitch_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planewright {
+
+namespace {
+
+/// What was told counts like so many slices.
+constexpr double kToldSlices = 8.0;
+/// The estimate is at least and at most so many times what was told.
+constexpr double kLeastShare = 0.5;
+constexpr double kMostShare = 2.0;
+/// Planes of fewer slices follow each of them too closely.
+constexpr int kLeastSlices = 8;
+/// Planes whose normal is known less well [rad] tell nothing.
+constexpr double kKnownAngle = 0.01;
+/// No slice counts as farther off than so many standard deviations.
+constexpr double kFarthestSigmas = 4.0;
+
+}  // namespace
+
+void PitchNoise::add(TrackMap& map, int end, const Parameters& parameters)
+{
+    for (; next_ < end; ++next_) {
+        const TrackedSlice& slice = map.slice(next_);
+        PitchEvidence evidence;
+        for (SegmentNumber number = slice.first; number < slice.end; ++number) {
+            const TrackedSegment& s = map.segment(number);
+            if (s.owner == kNoPlane)
+                continue;
+            PlaneTrack& plane = map.plane(s.owner);
+            if (plane.slices < kLeastSlices || plane.estimate.normalVariance() > kKnownAngle * kKnownAngle)
+                continue;
+            const PitchEvidence one = plane.estimate.pitchEvidence(map.seenIn(plane, next_), s.statistics,
+                                                                   parameters.noise, parameters.flatnessFloor());
+            evidence.information += one.information;
+            evidence.gradient += one.gradient;
+        }
+        // What changes slowly from slice to slice is no noise of the pitch but the walls' or the scanner's own form.
+        const bool tells = evidence.information * parameters.noise.pitch * parameters.noise.pitch > 1.0;
+        const double error = tells ? evidence.gradient / evidence.information : 0.0;
+        const double variance = tells ? 1.0 / evidence.information : 0.0;
+        if (tells && lastTells_) {
+            const double sigma = estimate(parameters.noise.pitch);
+            const double apart = std::min(std::abs(error - lastError_), kFarthestSigmas * std::sqrt(2.0) * sigma);
+            squaredErrors_ += 0.5 * (apart * apart - variance - lastVariance_);
+            ++slices_;
+        }
+        lastTells_ = tells;
+        lastError_ = error;
+        lastVariance_ = variance;
+    }
+}
+
+double PitchNoise::estimate(double told) const
+{
+    const double variance = (kToldSlices * told * told + squaredErrors_) / (kToldSlices + slices_);
+    return std::sqrt(
+        std::clamp(variance, kLeastShare * kLeastShare * told * told, kMostShare * kMostShare * told * told));
+}
+
+}  // namespace planewright

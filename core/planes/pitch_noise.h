@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "core/params/parameters.h"
+#include "core/planes/track_map.h"
+
+namespace planewright {
+
+/// Finds the noise of the pitch angle from how far whole slices are off the planes that grew over them.
+class PitchNoise {
+public:
+    /// Looks at the slices before `end` that were not looked at yet.
+    void add(TrackMap& map, int end, const Parameters& parameters);
+
+    /// Standard deviation of a slice's pitch [rad]. What was told counts like some slices, so that it holds until there
+    /// are more, and the estimate stays between half of it and three times it: planes bend with the slices that they
+    /// are made of.
+    double estimate(double told) const;
+
+private:
+    int next_ = 0;
+    int slices_ = 0;  // that told something
+    bool lastTells_ = false;
+    double lastError_ = 0.0;      // of the slice before [rad]
+    double lastVariance_ = 0.0;   // [rad²]
+    double squaredErrors_ = 0.0;  // sum over these [rad²]
+};
+
+}  // namespace planewright

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/params/parameters.h"
+#include "core/segments/line_moments.h"
+
+namespace planewright {
+
+/// Neighbouring points of a slice by their place among the echoes, both ends included, and their moments.
+struct LinePiece {
+    int first = 0;
+    int last = 0;
+    LineMoments moments;
+    bool clipped = false;  ///< points far from the line were left out of the moments
+
+    int points() const { return last - first + 1; }
+};
+
+/// No variance is taken for smaller [m²], lest a scanner without noise divide by zero.
+inline constexpr double kLeastVariance = 1e-12;
+/// Points farther than this from their line are left out where the line explains its points badly.
+inline constexpr double kClipSigmas = 3.0;
+
+inline double square(double x)
+{
+    return x * x;
+}
+
+/// Variance of a point across a line of this normal [m²]: range noise along the ray, bearing noise across it.
+inline double varianceAcross(double normalU, double normalV, double u, double v, const NoiseParameters& noise)
+{
+    const double along = square(normalU * u + normalV * v);
+    const double across = square(normalV * u - normalU * v);
+    const double relative =
+        square(noise.rangeConstant) / std::max(along + across, kLeastVariance) + square(noise.rangeProportional);
+    return std::max(kLeastVariance, along * relative + across * square(noise.bearing));
+}
+
+/// The same at the mean of the points.
+inline double centroidVariance(const MomentLine& line, const LineMoments& moments, const NoiseParameters& noise)
+{
+    return varianceAcross(line.normalU(), line.normalV(), moments.u, moments.v, noise);
+}
+
+/// Signed distance of a point to a line [m].
+inline double distanceTo(const MomentLine& line, const LineMoments& moments, double u, double v)
+{
+    return line.normalU() * (u - moments.u) + line.normalV() * (v - moments.v);
+}
+
+/// Largest sum of squares, in variances, that a straight piece of so many points plausibly has.
+inline double largestChi(double points)
+{
+    const double freedom = std::max(1.0, points - 2.0);
+    return freedom + 3.0 * std::sqrt(2.0 * freedom);
+}
+
+}  // namespace planewright

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/segments/range_noise.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace planewright {
+
+namespace {
+
+/// Samples of a slice while little is known, how many are much, and samples of a slice from then on.
+constexpr std::size_t kFirstSamples = 192;
+constexpr std::int64_t kMuch = 2048;
+constexpr std::size_t kLaterSamples = 32;
+/// What was told counts like so many samples, at each of two ranges [m].
+constexpr double kToldSamples = 24.0;
+constexpr std::array kToldRanges{2.0, 8.0};
+/// A sample where the bearing noise adds more than this share of the told variance tells nothing of the range noise.
+constexpr double kBearingShare = 0.25;
+/// The median of a normal deviate's size, in standard deviations.
+constexpr double kMedianSize = 0.6745;
+/// Sizes beyond so many standard deviations are edges.
+constexpr double kEdgeSigmas = 3.5;
+constexpr int kEdgeRounds = 4;
+/// The parts of the noise are at least this share of what was told, where ranges err by themselves.
+constexpr double kLeastShare = 0.5;
+
+constexpr int kLowestRange = -4;  // 1/16 m
+constexpr int kLowestSize = -16;
+
+/// Eighths of an octave above 2^lowest, by the leading bits of a float.
+std::size_t eighthsAbove(float x, int lowest, std::size_t count)
+{
+    constexpr int kBias = 127;
+    const int eighths = static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 20U) - 8 * (kBias + lowest);
+    return static_cast<std::size_t>(std::clamp(eighths, 0, static_cast<int>(count) - 1));
+}
+
+double eighth(std::size_t i)
+{
+    return std::ldexp(1.0 + static_cast<double>(i % 8) / 8.0, kLowestSize + static_cast<int>(i / 8));
+}
+
+double square(double x)
+{
+    return x * x;
+}
+
+}  // namespace
+
+void RangeNoise::add(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& told)
+{
+    const std::size_t beams = slice.ranges.size();
+    const std::size_t wanted = samples_ < kMuch ? kFirstSamples : kLaterSamples;
+    const std::size_t stride = std::max<std::size_t>(1, beams / wanted);
+    const double nearest = std::max(1e-3, sensor.rangeMin);
+    const double cosine = 2.0 * std::cos(slice.bearingStep);
+    const double perBeam = square(0.5 * told.bearing / slice.bearingStep);
+    const auto echo = [&](double range) { return range >= nearest && range <= sensor.rangeMax; };
+    for (std::size_t i = 1 + slices_++ * 7 % stride; i + 1 < beams; i += stride) {
+        const double before = slice.ranges[i - 1];
+        const double range = slice.ranges[i];
+        const double after = slice.ranges[i + 1];
+        if (!echo(before) || !echo(range) || !echo(after) ||
+            square(after - before) * perBeam > kBearingShare * told.rangeVariance(range))
+            continue;
+        const double residual = range * (range * (before + after) / (before * after) - cosine) / std::sqrt(6.0);
+        Octave& octave = octaves_[eighthsAbove(static_cast<float>(range), kLowestRange, 8 * kRanges) / 8];
+        ++octave.counts[eighthsAbove(static_cast<float>(std::abs(residual)), kLowestSize, kSizes)];
+        ++octave.samples;
+        octave.squaredRanges += range * range;
+        ++samples_;
+    }
+}
+
+/// Standard deviation [m] by the median of the sizes that are no edges.
+double RangeNoise::sigmaOf(const Octave& octave)
+{
+    double sigma = 0.0;
+    std::int64_t counted = octave.samples;
+    for (int round = 0; round < kEdgeRounds; ++round) {
+        if (round > 0) {
+            const std::size_t end = eighthsAbove(static_cast<float>(kEdgeSigmas * sigma), kLowestSize, kSizes) + 1;
+            counted = 0;
+            for (std::size_t i = 0; i < end; ++i)
+                counted += octave.counts[i];
+        }
+        const double half = 0.5 * static_cast<double>(counted);
+        double below = 0.0;
+        std::size_t i = 0;
+        while (below + octave.counts[i] < half)
+            below += octave.counts[i++];
+        const double share = octave.counts[i] > 0 ? (half - below) / octave.counts[i] : 0.0;
+        sigma = (eighth(i) + share * (eighth(i + 1) - eighth(i))) / kMedianSize;
+    }
+    return sigma;
+}
+
+NoiseParameters RangeNoise::estimate(const NoiseParameters& told) const
+{
+    // Least squares for σ² = constant² + proportional² ρ², each octave weighed by what its count tells.
+    double sum = 0.0;
+    double sumR = 0.0;
+    double sumRr = 0.0;
+    double sumS = 0.0;
+    double sumRs = 0.0;
+    const auto take = [&](double samples, double r, double s) {
+        const double weight =
+            samples / square(std::max(1e-12, square(told.rangeConstant) + square(told.rangeProportional) * r));
+        sum += weight;
+        sumR += weight * r;
+        sumRr += weight * r * r;
+        sumS += weight * s;
+        sumRs += weight * r * s;
+    };
+    for (const double range : kToldRanges)
+        take(kToldSamples, range * range, told.rangeVariance(range));
+    for (const Octave& octave : octaves_) {
+        if (octave.samples == 0)
+            continue;
+        const auto samples = static_cast<double>(octave.samples);
+        take(samples, octave.squaredRanges / samples, square(sigmaOf(octave)));
+    }
+    const double leastShare = told.systematic > 0.0 ? 1.0 : kLeastShare;
+    const double leastConstant = square(leastShare * told.rangeConstant);
+    const double leastProportional = square(leastShare * told.rangeProportional);
+    double proportional = (sum * sumRs - sumR * sumS) / (sum * sumRr - sumR * sumR);
+    double constant = (sumS - proportional * sumR) / sum;
+    if (proportional < leastProportional) {
+        proportional = leastProportional;
+        constant = (sumS - proportional * sumR) / sum;
+    } else if (constant < leastConstant) {
+        constant = leastConstant;
+        proportional = (sumRs - constant * sumR) / sumRr;
+    }
+    NoiseParameters found = told;
+    found.rangeConstant = std::sqrt(std::max(constant, leastConstant));
+    found.rangeProportional = std::sqrt(std::max(proportional, leastProportional));
+    return found;
+}
+
+}  // namespace planewright

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/segments/straight_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planewright {
+
+namespace {
+
+/// How many points beside a division may change sides.
+constexpr int kMovablePoints = 6;
+/// Divisions one within the other before a piece is halved instead.
+constexpr int kDeepestDivision = 48;
+/// Two lines must explain a piece better than one by so much χ²; how many divisions are tried; and one in the other.
+constexpr double kDivisionGain = 25.0;
+constexpr int kDivisionsTried = 16;
+constexpr int kDeepestBend = 4;
+
+}  // namespace
+
+std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shortest, const Parameters& parameters)
+{
+    points_ = &points;
+    shortest_ = shortest;
+    pieces_.clear();
+    for (int first = 0; first < points.count();) {
+        const int next = points.nextBreak(first + 1);
+        if (next - first >= shortest)
+            splitRun(first, next - 1, parameters);
+        first = next;
+    }
+    straight_.clear();
+    for (const LinePiece& piece : pieces_)
+        divideBent(piece, kDeepestBend, parameters.noise);
+    return straight_;
+}
+
+/// Splits a run at the points farthest from its chords, and settles the borders between the pieces.
+void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
+{
+    const auto fixed = static_cast<float>(square(parameters.segments.splitDistance));
+    const auto sigmas = static_cast<float>(square(parameters.segments.splitSigmas));
+    const auto bearing = static_cast<float>(square(parameters.noise.bearing));
+    const DeviationLimits limits{fixed, sigmas, bearing};
+    const BeamArrays points = points_->arrays();
+    const auto divisionOf = [&](const Open& open) {
+        if (open.last - open.first < 2)
+            return -1;
+        const ChordF chord = points_->chordOf(open.first, open.last);
+        return points_->kernels().farthest(points, open.first + 1, open.last - 1, chord, limits);
+    };
+
+    const std::size_t begin = pieces_.size();
+    open_.clear();
+    open_.push_back({first, last, 0});
+    while (!open_.empty()) {
+        const Open open = open_.back();
+        open_.pop_back();
+        int division = divisionOf(open);
+        if (division < 0) {
+            // Neighbours share their point of division; it belongs to the left one until the border is settled.
+            const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
+            const int start = shared ? open.first + 1 : open.first;
+            if (open.last - start + 1 >= shortest_)
+                pieces_.push_back({start, open.last, points_->momentsOf(start, open.last)});
+            continue;
+        }
+        if (open.depth >= kDeepestDivision)
+            division = (open.first + open.last) / 2;
+        open_.push_back({division, open.last, open.depth + 1});
+        open_.push_back({open.first, division, open.depth + 1});
+    }
+    for (std::size_t i = begin + 1; i < pieces_.size(); ++i)
+        settleBorder(pieces_[i - 1], pieces_[i], parameters.noise);
+}
+
+/// Moments of a handful of points.
+LineMoments StraightPieces::fewPoints(int first, int last) const
+{
+    LineMoments moments;
+    const double u = points_->u(first);
+    const double v = points_->v(first);
+    for (int i = first; i <= last; ++i) {
+        const double du = points_->u(i) - u;
+        const double dv = points_->v(i) - v;
+        moments.u += du;
+        moments.v += dv;
+        moments.uu += du * du;
+        moments.uv += du * dv;
+        moments.vv += dv * dv;
+    }
+    moments.count = last - first + 1;
+    const double share = 1.0 / moments.count;
+    moments.uu -= share * moments.u * moments.u;
+    moments.uv -= share * moments.u * moments.v;
+    moments.vv -= share * moments.v * moments.v;
+    moments.u = u + share * moments.u;
+    moments.v = v + share * moments.v;
+    return moments;
+}
+
+/// Moves the border between two neighbouring pieces to where their lines say it is; points of no piece between them
+/// take part.
+void StraightPieces::settleBorder(LinePiece& left, LinePiece& right, const NoiseParameters& noise) const
+{
+    if (right.first - left.last - 1 > kMovablePoints)
+        return;
+    const auto movable = [](const LinePiece& piece) { return std::clamp(piece.points() / 3, 1, kMovablePoints); };
+    const int low = left.last - movable(left) + 1;
+    const int high = right.first + movable(right) - 1;
+    left.moments.remove(fewPoints(low, left.last));
+    right.moments.remove(fewPoints(right.first, high));
+    const MomentLine leftLine = lineOf(left.moments);
+    const MomentLine rightLine = lineOf(right.moments);
+    const double leftWeight = 1.0 / centroidVariance(leftLine, left.moments, noise);
+    const double rightWeight = 1.0 / centroidVariance(rightLine, right.moments, noise);
+    // Of all borders in reach the one with the smallest sum of squares, where a stranger to both counts as a limit.
+    constexpr double kStranger = kClipSigmas * kClipSigmas;
+    const auto leftCost = [&](int i) {
+        return square(distanceTo(leftLine, left.moments, points_->u(i), points_->v(i))) * leftWeight;
+    };
+    const auto rightCost = [&](int i) {
+        return square(distanceTo(rightLine, right.moments, points_->u(i), points_->v(i))) * rightWeight;
+    };
+    double sum = 0.0;
+    double best = 0.0;
+    int border = low;  // first point of the right piece
+    for (int i = low; i <= high; ++i) {
+        sum += std::min(leftCost(i), kStranger) - std::min(rightCost(i), kStranger);
+        if (sum < best) {
+            best = sum;
+            border = i + 1;
+        }
+    }
+    left.last = border - 1;
+    right.first = border;
+    while (left.last >= low && leftCost(left.last) > kStranger)
+        --left.last;
+    while (right.first <= high && rightCost(right.first) > kStranger)
+        ++right.first;
+    if (left.last >= low)
+        left.moments.add(fewPoints(low, left.last));
+    if (right.first <= high)
+        right.moments.add(fewPoints(right.first, high));
+}
+
+/// Where two lines explain a piece best: the first point of the second one; −1 where two explain it no better than one.
+int StraightPieces::bestDivision(const LinePiece& piece, const MomentLine& line, double variance) const
+{
+    int low = piece.first + shortest_;
+    int high = piece.last - shortest_ + 1;
+    int division = -1;
+    double least = line.across - kDivisionGain * variance;
+    // Every few points first, then every point around the best.
+    for (int step = std::max(1, piece.points() / kDivisionsTried);; step = std::max(1, step / kDivisionsTried * 2)) {
+        LineMoments left = fewPoints(piece.first, low - 1);
+        for (int border = low; border <= high; border += step) {
+            LineMoments right = piece.moments;
+            right.remove(left);
+            const double across = lineOf(left).across + lineOf(right).across;
+            if (across < least) {
+                least = across;
+                division = border;
+            }
+            if (border + step <= high)
+                left.add(fewPoints(border, border + step - 1));
+        }
+        if (step == 1 || division < 0)
+            return division;
+        low = std::max(piece.first + shortest_, division - step);
+        high = std::min(piece.last - shortest_ + 1, division + step);
+    }
+}
+
+/// Appends a piece to the straight ones, divided where two lines explain it much better than one: steps and bends that
+/// are too small for any point to be far from the chord.
+void StraightPieces::divideBent(const LinePiece& piece, int depth, const NoiseParameters& noise)
+{
+    if (depth > 0 && piece.points() >= 2 * shortest_) {
+        const MomentLine line = lineOf(piece.moments);
+        const double variance = centroidVariance(line, piece.moments, noise);
+        const int division =
+            line.across > variance * largestChi(piece.moments.count) ? bestDivision(piece, line, variance) : -1;
+        if (division >= 0) {
+            LinePiece left{piece.first, division - 1, points_->momentsOf(piece.first, division - 1)};
+            LinePiece right{division, piece.last, points_->momentsOf(division, piece.last)};
+            settleBorder(left, right, noise);
+            divideBent(left, depth - 1, noise);
+            divideBent(right, depth - 1, noise);
+            return;
+        }
+    }
+    straight_.push_back(piece);
+}
+
+}  // namespace planewright

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/params/parameters.h"
+#include "core/segments/beam_points.h"
+#include "core/segments/line_piece.h"
+
+namespace planewright {
+
+/// Divides the runs of a slice into straight pieces; keeps its working storage from slice to slice.
+class StraightPieces {
+public:
+    /// The pieces of at least `shortest` points, in bearing order.
+    ///
+    /// Runs between breakpoints are divided where a point is too far from its chord, in standard deviations
+    /// (iterative end-point fit), and then where two lines explain a piece much better than one. Borders between
+    /// pieces are settled by their lines.
+    std::span<LinePiece> divide(const BeamPoints& points, int shortest, const Parameters& parameters);
+
+private:
+    struct Open {
+        int first = 0;
+        int last = 0;
+        int depth = 0;
+    };
+
+    void splitRun(int first, int last, const Parameters& parameters);
+    LineMoments fewPoints(int first, int last) const;
+    void settleBorder(LinePiece& left, LinePiece& right, const NoiseParameters& noise) const;
+    int bestDivision(const LinePiece& piece, const MomentLine& line, double variance) const;
+    void divideBent(const LinePiece& piece, int depth, const NoiseParameters& noise);
+
+    const BeamPoints* points_ = nullptr;
+    int shortest_ = 0;
+    std::vector<Open> open_;
+    std::vector<LinePiece> pieces_;
+    std::vector<LinePiece> straight_;
+};
+
+}  // namespace planewright

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/segments/range_noise.h"
+
+#include <cmath>
+#include <random>
+
+#include <QtTest>
+
+#include "tests/core/segments/drawn_slice.h"
+
+namespace planewright {
+namespace {
+
+constexpr SensorModel kSensor{0.05, 0.1, 60.0};
+constexpr int kSlices = 40;
+
+/// A room of 5 m by 9 m as a slice sees it, with noise of these parts and every `missing`th beam without echo.
+ScanSlice roomSlice(double constant, double proportional, std::uint64_t seed, std::size_t missing = 0)
+{
+    ScanSlice slice = drawn(emptySlice(degrees(-10.0), degrees(0.25), 801),
+                            {{{-2.0, -1.0}, {-2.0, 8.0}}, {{-2.0, 8.0}, {3.0, 8.0}}, {{3.0, 8.0}, {3.0, -1.0}}});
+    std::mt19937_64 random(seed);
+    for (std::size_t i = 0; i < slice.ranges.size(); ++i) {
+        double& range = slice.ranges[i];
+        range += range > 0.0 ? std::hypot(constant, proportional * range) * normal(random) : 0.0;
+        if (missing > 0 && i % missing == 0)
+            range = 0.0;
+    }
+    return slice;
+}
+
+NoiseParameters found(double constant, double proportional, const NoiseParameters& told, std::size_t missing = 0)
+{
+    RangeNoise noise;
+    for (int i = 0; i < kSlices; ++i)
+        noise.add(roomSlice(constant, proportional, static_cast<std::uint64_t>(i), missing), kSensor, told);
+    return noise.estimate(told);
+}
+
+bool within(double share, double a, double b)
+{
+    return std::abs(a / b - 1.0) < share;
+}
+
+}  // namespace
+
+class RangeNoiseTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void withoutSamplesWhatWasToldHolds();
+    void constantNoiseIsFound_data();
+    void constantNoiseIsFound();
+    void noiseThatGrowsWithRangeIsFound();
+    void missingBeamsAndEdgesDoNotCount();
+    void halfOfWhatWasToldIsTheLeast();
+    void rangesThatErrTogetherAreNeverBetterThanTold();
+    void hostileSlicesAreSurvived();
+};
+
+void RangeNoiseTest::withoutSamplesWhatWasToldHolds()
+{
+    NoiseParameters told;
+    told.rangeConstant = 0.007;
+    told.rangeProportional = 0.002;
+
+    const NoiseParameters estimate = RangeNoise().estimate(told);
+
+    QVERIFY(within(1e-9, estimate.rangeConstant, 0.007));
+    QVERIFY(within(1e-9, estimate.rangeProportional, 0.002));
+}
+
+void RangeNoiseTest::constantNoiseIsFound_data()
+{
+    QTest::addColumn<double>("sigma");
+    for (const double sigma : {0.008, 0.01, 0.015, 0.03})
+        QTest::addRow("%g mm", 1000.0 * sigma) << sigma;
+}
+
+void RangeNoiseTest::constantNoiseIsFound()
+{
+    QFETCH(double, sigma);
+
+    const NoiseParameters estimate = found(sigma, 0.0, {});
+
+    for (const double range : {3.0, 8.0})
+        QVERIFY(within(0.1, std::sqrt(estimate.rangeVariance(range)), sigma));
+}
+
+void RangeNoiseTest::noiseThatGrowsWithRangeIsFound()
+{
+    const NoiseParameters estimate = found(0.004, 0.003, {});
+
+    for (const double range : {2.0, 8.0})
+        QVERIFY(within(0.1, std::sqrt(estimate.rangeVariance(range)), std::hypot(0.004, 0.003 * range)));
+}
+
+void RangeNoiseTest::missingBeamsAndEdgesDoNotCount()
+{
+    // With every fifth beam missing two of five triples are whole; the two corners of the room are in both.
+    const NoiseParameters estimate = found(0.012, 0.0, {}, 5);
+
+    QVERIFY(within(0.1, std::sqrt(estimate.rangeVariance(3.0)), 0.012));
+}
+
+void RangeNoiseTest::halfOfWhatWasToldIsTheLeast()
+{
+    NoiseParameters told;
+    told.rangeConstant = 0.02;
+    told.rangeProportional = 0.004;
+
+    const NoiseParameters estimate = found(0.0, 0.0, told);
+
+    QVERIFY(within(1e-9, estimate.rangeConstant, 0.01));
+    QVERIFY(within(1e-9, estimate.rangeProportional, 0.002));
+}
+
+void RangeNoiseTest::rangesThatErrTogetherAreNeverBetterThanTold()
+{
+    NoiseParameters told;
+    told.rangeConstant = 0.01;
+    told.rangeProportional = 0.001;
+    told.systematic = 0.001;
+
+    const NoiseParameters estimate = found(0.002, 0.0, told);
+
+    QVERIFY(within(1e-9, estimate.rangeConstant, 0.01));
+    QVERIFY(within(1e-9, estimate.rangeProportional, 0.001));
+}
+
+void RangeNoiseTest::hostileSlicesAreSurvived()
+{
+    RangeNoise noise;
+    noise.add(emptySlice(0.0, degrees(0.25), 0), kSensor, {});
+    noise.add(emptySlice(0.0, degrees(0.25), 1), kSensor, {});
+    noise.add(emptySlice(0.0, degrees(0.25), 721), kSensor, {});
+    ScanSlice wild = emptySlice(0.0, degrees(0.25), 4001);
+    for (std::size_t i = 0; i < wild.ranges.size(); ++i)
+        wild.ranges[i] = i % 3 == 0 ? 59.9 : 0.11;
+    noise.add(wild, kSensor, {});
+
+    const NoiseParameters estimate = noise.estimate({});
+
+    QVERIFY(std::isfinite(estimate.rangeConstant) && std::isfinite(estimate.rangeProportional));
+    NoiseParameters none;
+    none.rangeConstant = none.rangeProportional = 0.0;
+    const NoiseParameters ofNone = noise.estimate(none);
+    QVERIFY(std::isfinite(ofNone.rangeConstant) && std::isfinite(ofNone.rangeProportional));
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::RangeNoiseTest)
+#include "range_noise_test.moc"
