@@ -18,7 +18,7 @@ double shorterExtent(const std::vector<SegmentNumber>& members, const PlaneFit& 
     std::vector<Eigen::Vector2d> flat;
     for (const SegmentNumber number : members) {
         for (const Eigen::Vector3d& point : {table[number].start, table[number].end}) {
-            flat.push_back(fit.tangents.transpose() * point);
+            flat.emplace_back(fit.tangents.transpose() * point);
             mean += flat.back();
         }
     }

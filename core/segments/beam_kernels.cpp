@@ -205,6 +205,7 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
 }
 
 // A function of each body for one kind of processor.
+// NOLINTBEGIN(bugprone-macro-parentheses): TARGET is an attribute of a function, which takes no parentheses.
 #define PLANEWRIGHT_KERNELS(KIND, TARGET)                                                                              \
     TARGET int place##KIND(const double* ranges, const float* cosine, const float* sine, int beams, float rangeMin,    \
                            float rangeMax, float constantVariance, float proportionalVariance, float* range, float* u, \
@@ -253,6 +254,7 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     constexpr BeamKernels k##KIND{                                                                                     \
         #KIND,          place##KIND,           placeExactly##KIND, markGaps##KIND,    markGapsExactly##KIND,           \
         farthest##KIND, farthestExactly##KIND, sums##KIND,         weightedSums##KIND};
+// NOLINTEND(bugprone-macro-parentheses)
 
 PLANEWRIGHT_KERNELS(Baseline, )
 #ifdef __x86_64__

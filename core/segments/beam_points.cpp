@@ -162,14 +162,14 @@ LineMoments BeamPoints::momentsOf(int first, int last) const
 {
     const ChordF chord = chordOf(first, last);
     const ChordSums sums = kernels_->sums(arrays(), first, last, chord);
-    const double n = static_cast<double>(sums.weight);
+    const auto n = static_cast<double>(sums.weight);
     const double t = static_cast<double>(sums.t) / n;
     const double h = static_cast<double>(sums.h) / n;
     const double tt = static_cast<double>(sums.tt) - n * t * t;
     const double th = static_cast<double>(sums.th) - n * t * h;
     const double hh = static_cast<double>(sums.hh) - n * h * h;
-    const double c = static_cast<double>(chord.directionU);
-    const double s = static_cast<double>(chord.directionV);
+    const auto c = static_cast<double>(chord.directionU);
+    const auto s = static_cast<double>(chord.directionV);
     LineMoments moments;
     moments.count = n;
     moments.u = static_cast<double>(chord.u) + c * t - s * h;

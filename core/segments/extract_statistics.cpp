@@ -140,7 +140,7 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, cons
                                 static_cast<float>(square(noise.rangeProportional)),
                                 static_cast<float>(square(noise.bearing))};
         const ChordSums sums = points_.kernels().weightedSums(points_.arrays(), piece.first, piece.last, frame, model);
-        const double w = static_cast<double>(sums.weight);
+        const auto w = static_cast<double>(sums.weight);
         const double t = static_cast<double>(sums.t) / w;
         const double h = static_cast<double>(sums.h) / w;
         const double tt = static_cast<double>(sums.tt) - w * t * t;
@@ -150,8 +150,8 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, cons
         const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
         const double sine = slope * cosine;
         // The frame is one of floats; its exact values are taken so that rounding it moves nothing.
-        const double c = static_cast<double>(frame.directionU);
-        const double s = static_cast<double>(frame.directionV);
+        const auto c = static_cast<double>(frame.directionU);
+        const auto s = static_cast<double>(frame.directionV);
         segment.u = static_cast<double>(frame.u) + c * t - s * h;
         segment.v = static_cast<double>(frame.v) + s * t + c * h;
         const double norm = 1.0 / std::sqrt(c * c + s * s);
@@ -191,8 +191,7 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
     const std::span<LinePiece> pieces = straight_.divide(points_, shortest_, parameters);
 
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        LinePiece& piece = pieces[i];
+    for (LinePiece& piece : pieces) {
         trimEnds(piece, parameters.noise);
         clip(piece, parameters.noise);
         LineMoments together;
