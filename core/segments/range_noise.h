@@ -33,7 +33,7 @@ public:
 private:
     /// Octaves of range from 1/16 m to 128 m, and in each the sizes from 2⁻¹⁶ m to 4 m, eight to the octave.
     static constexpr std::size_t kRanges = 11;
-    static constexpr std::size_t kSizes = 18 * 8;
+    static constexpr std::size_t kSizes = std::size_t{18} * 8;
 
     struct Octave {
         std::array<std::uint32_t, kSizes> counts{};
