@@ -227,9 +227,11 @@ void BeamKernelsTest::sumsAreThoseOfBruteForce()
 void BeamKernelsTest::weightsAreTheInverseOfThePredictedVariance()
 {
     // Three points of a wall 2 m ahead, at u = −1, 0 and 3: of the ray's noise the share (2/ρ)² lies across the wall.
-    const std::vector<float> u{-1.0F, 0.0F, 3.0F};
-    const std::vector<float> v{2.0F, 2.0F, 2.0F};
-    const std::vector<float> unused(3, 0.0F);
+    std::vector<float> u{-1.0F, 0.0F, 3.0F};
+    std::vector<float> v{2.0F, 2.0F, 2.0F};
+    std::vector<float> unused(3, 0.0F);
+    for (auto* array : {&u, &v, &unused})
+        array->resize(3 + 15);
     const WeightModel model{2.0F, 1.0F, 1e-4F, 1e-6F, 1e-7F};
     double expected = 0.0;
     for (const double x : {-1.0, 0.0, 3.0}) {
