@@ -35,7 +35,7 @@ private:
     NoiseParameters rangeFound_;
     std::int64_t estimatedAt_ = 0;  // samples of range noise when it was estimated last
     PitchNoise pitchNoise_;
-    Parameters inUse_;  // with the noise as it is known
+    Parameters inUse_;  // those of the step, with the noise that the scan has told: stages read these
     StatisticsExtractor extractor_;
     std::vector<SegmentStatistics> fresh_;  // of the newest slice
     TrackMap map_;

@@ -32,7 +32,7 @@ constexpr double kGrazing = 0.02;
 /// By how many standard deviations of its normal a plane must be met by the rays.
 constexpr double kSureSigmas = 2.0;
 /// Planes of more slices do not turn much any more.
-constexpr int kYoungSlices = 20;
+constexpr int kTurningSlices = 20;
 /// Points that a pair of segments must have, or fewer where they fill this angle [rad].
 constexpr double kPairPoints = 40.0;
 constexpr double kPairAngle = degrees(10.0);
@@ -277,7 +277,7 @@ void dropYoungGrazing(TrackMap& map, const Parameters& parameters, StepRecorder&
 {
     for (std::size_t i = 0; i < map.planes().size();) {
         PlaneTrack& plane = map.planes()[i];
-        if (plane.slices > kYoungSlices || !dropGrazing(plane, map, parameters, recorder))
+        if (plane.slices > kTurningSlices || !dropGrazing(plane, map, parameters, recorder))
             ++i;
     }
 }
