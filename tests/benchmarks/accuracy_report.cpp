@@ -4,7 +4,6 @@
 // How many planes of simulated rooms are found, how far they are from the theoretical bound, and how long it takes.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -20,13 +19,11 @@
 #include "app/cli/text.h"
 #include "tests/benchmarks/room_accuracy.h"
 #include "tests/benchmarks/room_details.h"
+#include "tests/benchmarks/scoring.h"
 
 using namespace planewright;
 
 namespace {
-
-/// Median of χ² of three degrees of freedom: that of e'Fe at the bound.
-constexpr double kMedianChi = 2.366;
 
 struct Options {
     ParameterOptions parameters{"precise", {}, {}};
@@ -86,32 +83,17 @@ Result<Setup> setupOf(const Options& options)
     return Setup{*parameters, *settings, *noise};
 }
 
-/// Planes that match, that are there and that were found.
-struct Counts {
-    double correct = 0, groups = 0, regions = 0;
-
-    void add(const LabelComparison& compared)
-    {
-        correct += static_cast<double>(compared.correct.size());
-        groups += static_cast<double>(compared.groups);
-        regions += static_cast<double>(compared.regions);
-    }
-    double recall() const { return groups > 0 ? correct / groups : 1; }
-    double precision() const { return regions > 0 ? correct / regions : 1; }
-    double f1() const { return 2 * correct / std::max(1.0, groups + regions); }
-};
-
 /// Sums over rooms.
 struct Tally {
-    Counts at50, at80;
+    MatchCounts at50, at80;
     std::vector<double> bound;  ///< e'Fe of each plane found
     std::vector<double> own;    ///< e'C⁻¹e
     std::vector<double> times;  ///< of each room [ms]
 
     void add(const RoomAccuracy& room)
     {
-        at50.add(room.at50);
-        at80.add(room.at80);
+        at50 += countsOf(room.at50);
+        at80 += countsOf(room.at80);
         for (const PlaneDeviation& deviation : room.deviations) {
             bound.push_back(deviation.bound);
             own.push_back(deviation.own);
@@ -133,7 +115,7 @@ void printHeading()
 void printLine(const std::string& name, const Tally& tally, double time, const char* ending)
 {
     std::printf("%-10s %7.3f %7.3f %7.3f %7.3f %7.2f %7.2f %8.3f%s\n", name.c_str(), tally.at50.recall(),
-                tally.at50.precision(), tally.at50.f1(), tally.at80.f1(), std::sqrt(median(tally.bound) / kMedianChi),
+                tally.at50.precision(), tally.at50.f1(), tally.at80.f1(), errorOverBound(tally.bound),
                 median(tally.own), time, ending);
     std::fflush(stdout);
 }

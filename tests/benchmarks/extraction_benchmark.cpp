@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -13,6 +12,8 @@
 
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
+#include "tests/benchmarks/power_fit.h"
+#include "tests/benchmarks/scoring.h"
 
 using namespace planewright;
 
@@ -55,12 +56,6 @@ Run extract(const Recording& recording)
     return run;
 }
 
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 /// Extracts one scan again and again; a step's time is its median over the repeats, so that a hiccup of the machine is
 /// not taken for a slow step.
 void measure(benchmark::State& state, const std::string& scene, const std::string& settings, int columnOfTableX)
@@ -89,44 +84,19 @@ void measure(benchmark::State& state, const std::string& scene, const std::strin
         tableX[scene][columnOfTableX] = {run.segments, median(totals)};
 }
 
-/// Slope and share of variance explained (R²) of the straight line y over x.
-std::pair<double, double> lineThrough(const std::vector<double>& x, const std::vector<double>& y)
-{
-    const auto n = static_cast<double>(x.size());
-    double mx = 0.0;
-    double my = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        mx += x[i] / n;
-        my += y[i] / n;
-    }
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - mx) * (x[i] - mx);
-        xy += (x[i] - mx) * (y[i] - my);
-        yy += (y[i] - my) * (y[i] - my);
-    }
-    return {xy / xx, xy * xy / (xx * yy)};
-}
-
 void reportGrowth(const std::string& scene, const std::map<int, std::pair<double, double>>& columns)
 {
     std::vector<double> segments;
     std::vector<double> times;
-    std::vector<double> logSegments;
-    std::vector<double> logTimes;
     for (const auto& [column, measured] : columns) {
         segments.push_back(measured.first);
         times.push_back(measured.second);
-        logSegments.push_back(std::log(measured.first));
-        logTimes.push_back(std::log(measured.second));
     }
-    const auto [slope, fit] = lineThrough(segments, times);
-    const auto [exponent, logFit] = lineThrough(logSegments, logTimes);
+    const LineFit line = lineThrough(segments, times);
+    const PowerFit power = powerThrough(segments, times);
     std::printf(
         "Table X in the %s, time against segments: %.2f us a segment, R2 %.4f; exponent %.3f (log-log R2 %.4f)\n",
-        scene.c_str(), 1000.0 * slope, fit, exponent, logFit);
+        scene.c_str(), 1000.0 * line.slope, line.explained, power.exponent, power.explained);
 }
 
 }  // namespace

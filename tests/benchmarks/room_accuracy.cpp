@@ -11,8 +11,8 @@
 #include "core/formats/labels.h"
 #include "core/pipeline/complete_labels.h"
 #include "core/pipeline/plane_extractor.h"
-#include "core/planes/end_point_cost.h"
-#include "tests/benchmarks/true_information.h"
+#include "tests/benchmarks/plane_information.h"
+#include "tests/benchmarks/scoring.h"
 
 namespace planewright {
 
@@ -52,26 +52,10 @@ void compare(const Room& room, const Parameters& parameters, std::int64_t minRet
     accuracy.at80 = *compareLabels(labels, room.scan.labels, planes, truth, {0.8, minReturns});
 }
 
-/// 1 or −1, so that a plane's normal times it is on the side of the true one.
-double sideOf(const Plane& plane, const TruePlane& truth)
-{
-    return plane.normal.dot(truth.normal) < 0 ? -1 : 1;
-}
-
-/// The error in the true plane's tangents.
-Eigen::Vector3d errorOf(const Plane& plane, const TruePlane& truth)
-{
-    const double side = sideOf(plane, truth);
-    Eigen::Vector3d error;
-    error.head<2>() = tangentsOf(truth.normal).transpose() * (side * plane.normal);
-    error[2] = side * plane.distance - truth.distance;
-    return error;
-}
-
 /// The error in the plane's own tangents.
 Eigen::Vector3d ownErrorOf(const Plane& plane, const TruePlane& truth)
 {
-    const double side = sideOf(plane, truth);
+    const double side = plane.normal.dot(truth.normal) < 0 ? -1 : 1;
     Eigen::Vector3d error;
     error.head<2>() = plane.tangents.transpose() * (plane.normal - side * truth.normal);
     error[2] = plane.distance - side * truth.distance;
@@ -80,16 +64,16 @@ Eigen::Vector3d ownErrorOf(const Plane& plane, const TruePlane& truth)
 
 std::vector<PlaneDeviation> deviationsOf(const Room& room, const RoomAccuracy& accuracy)
 {
+    const std::vector<Eigen::Matrix3d> information = trueInformation(room.scene, room.scan, room.noise);
     std::vector<PlaneDeviation> deviations;
     for (const RegionMatch& match : accuracy.at50.correct) {
         if (match.b.size() > 1)
             continue;  // coplanar ones may differ by what the noise cannot tell
         const Plane& plane = planeOf(match.a, *accuracy.found);
         const TruePlane& truth = room.scene.planes[static_cast<std::size_t>(match.b.front())];
-        const Eigen::Vector3d error = errorOf(plane, truth);
+        const Eigen::Vector3d error = errorOf({plane.normal, plane.distance}, {truth.normal, truth.distance});
         const Eigen::Vector3d own = ownErrorOf(plane, truth);
-        deviations.push_back({match.a, truth.id,
-                              error.dot(trueInformation(room.scan, match.b, truth, room.noise) * error),
+        deviations.push_back({match.a, truth.id, error.dot(information[static_cast<std::size_t>(truth.id)] * error),
                               own.dot(plane.covariance.inverse() * own)});
     }
     return deviations;
@@ -110,14 +94,6 @@ const Plane& planeOf(int id, const Snapshot& found)
 {
     return **std::find_if(found.planes.begin(), found.planes.end(),
                           [id](const auto& plane) { return plane->id == id; });
-}
-
-double median(std::vector<double> values)
-{
-    if (values.empty())
-        return 0;
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 }  // namespace planewright

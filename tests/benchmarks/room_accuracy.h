@@ -46,6 +46,4 @@ RoomAccuracy measure(const Room& room, const Parameters& parameters, std::int64_
 /// The plane of an id.
 const Plane& planeOf(int id, const Snapshot& found);
 
-double median(std::vector<double> values);
-
 }  // namespace planewright

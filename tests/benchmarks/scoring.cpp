@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/benchmarks/plane_information.h"
 
@@ -18,25 +19,19 @@ MatchCounts& MatchCounts::operator+=(const MatchCounts& other)
     return *this;
 }
 
-namespace {
-
 MatchCounts countsOf(const LabelComparison& compared)
 {
     return {static_cast<double>(compared.correct.size()), static_cast<double>(compared.groups),
             static_cast<double>(compared.regions)};
 }
 
-}  // namespace
-
-Judge::Judge(const Scene& scene, const SimulatedScan& scan, const SimulationNoise& noise, std::int64_t minReturns)
-    : scene_(scene), scan_(scan), minReturns_(minReturns)
+std::vector<Eigen::Matrix3d> trueInformation(const Scene& scene, const SimulatedScan& scan,
+                                             const SimulationNoise& noise)
 {
     const SensorModel sensor = sensorOf(scan.recording.description);
     std::vector<PlaneInformation> information;
-    for (const TruePlane& plane : scene.planes) {
-        truth_.push_back({plane.id, plane.normal, plane.distance});
+    for (const TruePlane& plane : scene.planes)
         information.emplace_back(KnownPlane{plane.normal, plane.distance}, noise, sensor);
-    }
     for (std::size_t k = 0; k < scan.recording.slices.size(); ++k) {
         const ScanSlice& slice = scan.recording.slices[k];
         for (std::size_t i = 0; i < slice.ranges.size(); ++i) {
@@ -47,8 +42,17 @@ Judge::Judge(const Scene& scene, const SimulatedScan& scan, const SimulationNois
         for (PlaneInformation& plane : information)
             plane.endSlice();
     }
+    std::vector<Eigen::Matrix3d> matrices;
     for (const PlaneInformation& plane : information)
-        information_.push_back(plane.information());
+        matrices.push_back(plane.information());
+    return matrices;
+}
+
+Judge::Judge(const Scene& scene, const SimulatedScan& scan, const SimulationNoise& noise, std::int64_t minReturns)
+    : scene_(scene), scan_(scan), minReturns_(minReturns), information_(trueInformation(scene, scan, noise))
+{
+    for (const TruePlane& plane : scene.planes)
+        truth_.push_back({plane.id, plane.normal, plane.distance});
 }
 
 Score Judge::judge(const LabelGrid& labels, const std::vector<ComparedPlane>& planes) const
@@ -81,12 +85,17 @@ double median(std::vector<double> values)
     return *middle;
 }
 
+double errorOverBound(std::vector<double> squared)
+{
+    return std::sqrt(median(std::move(squared)) / kMedianChi3);
+}
+
 double errorOverBound(const std::vector<FoundPlane>& found)
 {
     std::vector<double> squared;
     for (const FoundPlane& plane : found)
         squared.push_back(plane.squared);
-    return std::sqrt(median(squared) / kMedianChi3);
+    return errorOverBound(std::move(squared));
 }
 
 }  // namespace planewright

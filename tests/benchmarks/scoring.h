@@ -33,6 +33,8 @@ struct FoundPlane {
     double squared = 0.0;   ///< e'Fe, F the information of all true points: 3 is the bound's expectation
 };
 
+MatchCounts countsOf(const LabelComparison& compared);
+
 /// What an extractor made of a scan, held against the truth.
 struct Score {
     MatchCounts at50;
@@ -42,6 +44,10 @@ struct Score {
 
 /// Median of a χ² with three degrees of freedom: what e'Fe of estimates at the bound has.
 inline constexpr double kMedianChi3 = 2.366;
+
+/// Information that all points of each true plane have of it, in order of their ids.
+std::vector<Eigen::Matrix3d> trueInformation(const Scene& scene, const SimulatedScan& scan,
+                                             const SimulationNoise& noise);
 
 /// A simulated scan with what its planes tell at best.
 class Judge {
@@ -63,6 +69,7 @@ private:
 double median(std::vector<double> values);
 
 /// Error in units of the Cramér-Rao bound: root of the median of e'Fe over that of a χ² with three degrees of freedom.
+double errorOverBound(std::vector<double> squared);
 double errorOverBound(const std::vector<FoundPlane>& found);
 
 }  // namespace planewright

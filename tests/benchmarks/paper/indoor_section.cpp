@@ -7,9 +7,9 @@
 
 #include "core/clusters/direction_clusters.h"
 #include "core/evaluation/data_access_ratio.h"
-#include "tests/benchmarks/paper/power_fit.h"
 #include "tests/benchmarks/paper/product_run.h"
 #include "tests/benchmarks/paper/sections.h"
+#include "tests/benchmarks/power_fit.h"
 
 namespace planewright {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/evaluation/data_access_ratio.h"
-#include "tests/benchmarks/paper/power_fit.h"
 #include "tests/benchmarks/paper/product_run.h"
 #include "tests/benchmarks/paper/sections.h"
+#include "tests/benchmarks/power_fit.h"
 
 namespace planewright {
 
