@@ -15,15 +15,6 @@
 namespace planewright {
 namespace {
 
-/// A wall 4 m ahead that beams 320 to 400 meet.
-const Surface kWall{};
-
-/// The same wall by other beams, or one beside it by so much [m].
-Surface wallBy(int firstBeam, int lastBeam, double shift = 0.0)
-{
-    return {kWall.normal, kWall.distance + shift, firstBeam, lastBeam};
-}
-
 /// Slices that see surfaces and a plane of each, and one more slice that is to be joined.
 struct Joining {
     NoddingScan scan;
@@ -50,8 +41,6 @@ struct Joining {
         return scan.map.joinChi(scan.map.plane(id), number, scan.parameters.noise, scan.parameters.flatnessFloor());
     }
 };
-
-using Numbers = std::vector<SegmentNumber>;
 
 }  // namespace
 

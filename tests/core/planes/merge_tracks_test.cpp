@@ -15,16 +15,7 @@
 namespace planewright {
 namespace {
 
-using Numbers = std::vector<SegmentNumber>;
 using Ids = std::vector<PlaneId>;
-
-/// A wall 4 m ahead.
-const Surface kWall{};
-
-Surface wallBy(int firstBeam, int lastBeam, double shift = 0.0)
-{
-    return {kWall.normal, kWall.distance + shift, firstBeam, lastBeam};
-}
 
 /// Ten slices that see surfaces from right to left, and a plane of each in this order.
 struct Merging {

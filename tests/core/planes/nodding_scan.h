@@ -15,6 +15,17 @@
 
 namespace planewright {
 
+using Numbers = std::vector<SegmentNumber>;
+
+/// A wall 4 m ahead that beams 320 to 400 meet.
+inline const Surface kWall{};
+
+/// The same wall met by other beams, or one so much farther [m].
+inline Surface wallBy(int firstBeam, int lastBeam, double shift = 0.0)
+{
+    return {kWall.normal, kWall.distance + shift, firstBeam, lastBeam};
+}
+
 /// Tilt from slice to slice.
 inline constexpr double kTiltStep = degrees(1.16);
 

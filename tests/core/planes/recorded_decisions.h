@@ -57,6 +57,15 @@ inline SegmentId segmentOf(const Operand& operand)
     const auto* id = std::get_if<SegmentId>(&operand);
     return id == nullptr ? SegmentId{-1, -1} : *id;
 }
+/// The steps of the segments that a decision is about.
+inline std::vector<int> stepsOf(const Decision& decision)
+{
+    std::vector<int> steps;
+    for (const Operand& operand : decision.operands)
+        steps.push_back(segmentOf(operand).step);
+    return steps;
+}
+
 inline PlaneId planeOf(const Operand& operand)
 {
     const auto* ref = std::get_if<PlaneRef>(&operand);

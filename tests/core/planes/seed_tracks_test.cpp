@@ -14,34 +14,12 @@
 namespace planewright {
 namespace {
 
-using Numbers = std::vector<SegmentNumber>;
-
-/// A wall 4 m ahead that beams 320 to 400 meet, and one 3 m to the left.
-const Surface kWall{};
+/// A wall 3 m to the left.
 const Surface kSideWall{Eigen::Vector3d{-1.0, 0.0, 0.0}, 3.0, 560, 620};
-
-Surface wallBy(int firstBeam, int lastBeam, double shift = 0.0)
-{
-    return {kWall.normal, kWall.distance + shift, firstBeam, lastBeam};
-}
 
 void seed(NoddingScan& scan, int firstSlice = 0)
 {
     seedTracks(scan.map, firstSlice, scan.parameters, scan.recorded.recorder);
-}
-
-void pair(NoddingScan& scan)
-{
-    seedPairs(scan.map, scan.parameters, scan.recorded.recorder);
-}
-
-/// The steps of the segments that a decision is about.
-std::vector<int> stepsOf(const Decision& decision)
-{
-    std::vector<int> steps;
-    for (const Operand& operand : decision.operands)
-        steps.push_back(segmentOf(operand).step);
-    return steps;
 }
 
 /// Surfaces as a mirror shows them: x turns round, and with it the order of the beams.
@@ -86,11 +64,7 @@ private slots:
     void planesGrowToNoSegmentBesideThem();
     void aMirroredScanHasTheMirroredPlanes();
     void aTurnedScanHasTheTurnedPlanes();
-    void twoFacingSegmentsMakeAPlaneOfAPair();
-    void aPairNeedsFortyPoints();
-    void aPairSharesHalfOfTheShorter();
-    void segmentsThatAreNotParallelAreNoPair();
-    void theBestPartnerMakesThePair();
+    void youngPlanesThatTurnedIntoTheirSlicesAreDropped();
 };
 
 void SeedTracksTest::threeSlicesOfAPlaneMakeIt_data()
@@ -250,9 +224,10 @@ void SeedTracksTest::aPlaneMetAtAGrazingAngleIsNone_data()
     QTest::addColumn<bool>("made");
 
     QTest::newRow("2.9 degrees") << 2.9 << false;
-    // A little above 3 degrees it is not met for sure: its normal is not known that well.
+    // The three slices meet the floor from 3.1 to 3.7 m on, 0.7 m apart in all; 0.01 degrees of pitch are 0.6 mm of
+    // height there, so that its normal is known to 0.07 degrees, and 3 degrees must be exceeded by twice that.
     QTest::newRow("3.1 degrees") << 3.1 << false;
-    QTest::newRow("12 degrees") << 12.0 << true;
+    QTest::newRow("3.4 degrees") << 3.4 << true;
 }
 
 void SeedTracksTest::aPlaneMetAtAGrazingAngleIsNone()
@@ -276,6 +251,31 @@ void SeedTracksTest::aPlaneMetAtAGrazingAngleIsNone()
     seed(scan);
 
     QCOMPARE(scan.map.planes().size(), made ? std::size_t{1} : std::size_t{0});
+}
+
+void SeedTracksTest::youngPlanesThatTurnedIntoTheirSlicesAreDropped()
+{
+    for (const int slices : {5, 20, 21}) {
+        NoddingScan scan;
+        scan.nod(slices, {kWall, kSideWall}, degrees(80.0));
+        scan.makePlane(scan.column(0, 0, slices - 1), kWall);
+        scan.makePlane(scan.column(1, 0, slices - 1), kSideWall);
+        // A plane that holds the middle slice is met at half a nod at most by those at the ends.
+        const SliceFrame& middle = scan.map.slice(slices / 2).frame;
+        const Eigen::Vector3d normal = Eigen::Vector3d::UnitX().cross(middle.ahead);
+        scan.map.plane(0).estimate = PlaneEstimate(normal, normal.dot(middle.origin));
+        scan.parameters.planes.minIncidence = degrees(13.0);
+
+        dropYoungGrazing(scan.map, scan.parameters, scan.recorded.recorder);
+
+        const bool young = slices <= 20;
+        QVERIFY((scan.planeIds() == (young ? std::vector<PlaneId>{1} : std::vector<PlaneId>{0, 1})));
+        QCOMPARE(scan.map.segment(0).owner, young ? kNoPlane : 0);
+        const auto decisions = scan.recorded.decisions(DecisionKind::NoFit);
+        QCOMPARE(decisions.size(), young ? std::size_t{1} : std::size_t{0});
+        if (young)
+            QVERIFY(failed(decisions[0].tests) == std::vector<std::string_view>{"incidence"});
+    }
 }
 
 void SeedTracksTest::slicesOfAHypothesisAreFarEnoughApartForThePitch_data()
@@ -517,78 +517,6 @@ void SeedTracksTest::aTurnedScanHasTheTurnedPlanes()
     const PlaneEstimate& plane = scan.map.plane(0).estimate;
     QVERIFY(apart(turned.map.plane(0).estimate, {turn * plane.normal(), plane.distance()}) < 1e-9);
     QVERIFY(turned.map.plane(0).members == scan.map.plane(0).members);
-}
-
-void SeedTracksTest::twoFacingSegmentsMakeAPlaneOfAPair()
-{
-    NoddingScan scan;
-    scan.nod(2, {kWall});
-
-    pair(scan);
-
-    QCOMPARE(scan.map.planes().size(), std::size_t{1});
-    QVERIFY(scan.map.plane(0).ofPair);
-    QVERIFY(apart(scan.map.plane(0).estimate, kWall) < 1e-9);
-    QVERIFY(disagreement(scan.map).empty());
-    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
-    QCOMPARE(fits.size(), std::size_t{1});
-    QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, 1}));
-    QVERIFY(allPass(fits[0].tests));
-    QVERIFY(testOf(fits[0].tests, "pair_chi2").value < 1e-9);
-    QCOMPARE(testOf(fits[0].tests, "pair_chi2").limit, scan.parameters.likelihood.joinGate);
-}
-
-void SeedTracksTest::aPairNeedsFortyPoints()
-{
-    for (const int lastBeam : {318, 319}) {
-        NoddingScan scan;
-        scan.nod(2, {wallBy(300, lastBeam)});
-
-        pair(scan);
-
-        QCOMPARE(scan.map.planes().size(), lastBeam == 319 ? std::size_t{1} : std::size_t{0});
-    }
-}
-
-void SeedTracksTest::aPairSharesHalfOfTheShorter()
-{
-    for (const int shared : {19, 20}) {
-        NoddingScan scan;
-        scan.see(degrees(85.0), {wallBy(300, 399)});
-        scan.see(degrees(86.2), {wallBy(400 - shared, 439 - shared)});
-
-        pair(scan);
-
-        QCOMPARE(scan.map.planes().size(), shared == 20 ? std::size_t{1} : std::size_t{0});
-    }
-}
-
-void SeedTracksTest::segmentsThatAreNotParallelAreNoPair()
-{
-    NoddingScan scan;
-    scan.nod(2, {kWall});
-    disturb(scan.map.segment(1).statistics, 0.0, degrees(3.0));
-
-    pair(scan);
-
-    QVERIFY(scan.map.planes().empty());
-}
-
-void SeedTracksTest::theBestPartnerMakesThePair()
-{
-    // Two pieces of a wall faced by one, of which one is turned by a tenth of a degree.
-    for (const int turned : {0, 1}) {
-        NoddingScan scan;
-        scan.see(degrees(85.0), {wallBy(300, 345), wallBy(350, 395)});
-        disturb(scan.map.segment(turned).statistics, 0.0, degrees(0.1));
-        scan.see(degrees(86.2), {wallBy(315, 385)});
-
-        pair(scan);
-
-        const auto fits = scan.recorded.decisions(DecisionKind::Fit);
-        QCOMPARE(fits.size(), std::size_t{1});
-        QCOMPARE(segmentOf(fits[0].operands.at(0)), (SegmentId{0, 1 - turned}));
-    }
 }
 
 }  // namespace planewright

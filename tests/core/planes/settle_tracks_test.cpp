@@ -11,20 +11,10 @@
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/core/planes/one_wall.h"
 
 namespace planewright {
 namespace {
-
-using Numbers = std::vector<SegmentNumber>;
-using Names = std::vector<std::string_view>;
-
-/// A wall 4 m ahead that beams 320 to 400 meet.
-const Surface kWall{};
-
-Surface wallBy(int firstBeam, int lastBeam, double shift = 0.0)
-{
-    return {kWall.normal, kWall.distance + shift, firstBeam, lastBeam};
-}
 
 /// Ten slices of two walls side by side, the second farther by so much [m]; a segment of the first belongs to the
 /// plane of the second.
@@ -53,45 +43,6 @@ struct Strayed {
     PlaneId owner() const { return scan.map.segment(kStray).owner; }
 };
 
-/// Slices of one wall and the plane of all.
-struct OneWall {
-    NoddingScan scan;
-
-    explicit OneWall(int slices, const Surface& surface = kWall, double firstTilt = degrees(85.0),
-                     double tiltStep = kTiltStep)
-    {
-        scan.nod(slices, {surface}, firstTilt, tiltStep);
-        make(surface);
-    }
-    /// Makes the plane once more, after its segments were changed.
-    void make(const Surface& surface)
-    {
-        if (!scan.map.planes().empty())
-            scan.map.dissolve(scan.map.planes().front().id);
-        scan.makePlane(scan.column(0, 0, scan.map.slices() - 1), surface);
-    }
-    PlaneTrack& plane() { return scan.map.planes().front(); }
-    SegmentStatistics& segment(SegmentNumber number) { return scan.map.segment(number).statistics; }
-    void thin() { thinTracks(scan.map, scan.parameters, scan.recorded.recorder); }
-    void drop() { dropUnfounded(scan.map, scan.parameters, scan.recorded.recorder); }
-
-    /// The tests that the plane was dropped for; empty where it was not.
-    Names droppedFor()
-    {
-        drop();
-        const auto decisions = scan.recorded.decisions(DecisionKind::NoFit);
-        return decisions.empty() ? Names{} : failed(decisions.front().tests);
-    }
-    double reducedChi()
-    {
-        double sum = 0.0;
-        for (const SegmentNumber number : plane().members)
-            sum += plane().estimate.residualChi(plane().estimate.inSlice(scan.map.slice(number).frame), segment(number),
-                                                scan.parameters.noise, scan.parameters.flatnessFloor());
-        return sum / (2.0 * static_cast<double>(plane().members.size()) - 3.0);
-    }
-};
-
 }  // namespace
 
 class SettleTracksTest : public QObject {
@@ -109,19 +60,6 @@ private slots:
     void thinningEndsWhereTheRestIsExplained();
     void threeSegmentsAndMoreThanSixtyAreNotThinned_data();
     void threeSegmentsAndMoreThanSixtyAreNotThinned();
-    void aFoundedPlaneStays();
-    void aPlaneFillsItsSolidAngle();
-    void aPlaneHasItsSegmentsAndSlices();
-    void aPairNeedsTwoSlicesOnly();
-    void aNarrowPlaneThatStandsFreeIsAPole_data();
-    void aNarrowPlaneThatStandsFreeIsAPole();
-    void aPlaneExplainsItsSegments();
-    void aPlaneOfManySegmentsNeedNotExplainThem();
-    void aPlaneIsOfStraightSegments_data();
-    void aPlaneIsOfStraightSegments();
-    void aPlaneIsMetAtMoreThanAGrazingAngle_data();
-    void aPlaneIsMetAtMoreThanAGrazingAngle();
-    void droppedPlanesFreeTheirSegments();
     void lastFitIsWithoutSegmentsBeyondTheGate();
     void lastFitHasNoFloor();
     void lastFitIsPublished();
@@ -308,189 +246,6 @@ void SettleTracksTest::threeSegmentsAndMoreThanSixtyAreNotThinned()
     wall.thin();
 
     QCOMPARE(wall.plane().members.size() < static_cast<std::size_t>(slices), thinned);
-}
-
-void SettleTracksTest::aFoundedPlaneStays()
-{
-    OneWall wall(10);
-
-    QVERIFY(wall.droppedFor().empty());
-
-    QCOMPARE(wall.scan.map.planes().size(), std::size_t{1});
-    QVERIFY(wall.scan.recorded.report.decisions.empty());
-}
-
-void SettleTracksTest::aPlaneFillsItsSolidAngle()
-{
-    // 0.0106 sr of 0.25° × 1.16° each are 120 points.
-    QVERIFY(OneWall(3, wallBy(320, 359)).droppedFor().empty());
-    QVERIFY((OneWall(3, wallBy(320, 358)).droppedFor() == Names{"points"}));
-
-    // Twelve points are the least.
-    OneWall few(3, wallBy(320, 323));
-    OneWall fewer(3, wallBy(320, 322));
-    few.scan.parameters.likelihood.minSolidAngle = 0.0;
-    fewer.scan.parameters.likelihood.minSolidAngle = 0.0;
-    QVERIFY(few.droppedFor().empty());
-    QVERIFY((fewer.droppedFor() == Names{"points"}));
-}
-
-void SettleTracksTest::aPlaneHasItsSegmentsAndSlices()
-{
-    OneWall segments(4);
-    segments.scan.parameters.planes.minSegments = 5;
-    QVERIFY((segments.droppedFor() == Names{"segments"}));
-
-    OneWall slices(4);
-    slices.scan.parameters.planes.minSlices = 5;
-    QVERIFY((slices.droppedFor() == Names{"slices"}));
-
-    OneWall enough(5);
-    enough.scan.parameters.planes.minSegments = 5;
-    enough.scan.parameters.planes.minSlices = 5;
-    QVERIFY(enough.droppedFor().empty());
-}
-
-void SettleTracksTest::aPairNeedsTwoSlicesOnly()
-{
-    OneWall wall(2);
-    OneWall pair(2);
-    pair.plane().ofPair = true;
-
-    QVERIFY((wall.droppedFor() == Names{"segments", "slices"}));
-    QVERIFY(pair.droppedFor().empty());
-}
-
-void SettleTracksTest::aNarrowPlaneThatStandsFreeIsAPole_data()
-{
-    QTest::addColumn<int>("beams");
-    QTest::addColumn<int>("freeSlices");
-    QTest::addColumn<bool>("pole");
-
-    // A beam is 4 m · 0.25° = 17.5 mm wide, or a little more where the wall is met obliquely: 12 cm are six of them.
-    QTest::newRow("narrow and free in 13 of 20 slices") << 7 << 13 << true;
-    QTest::newRow("narrow and free in 12 of 20 slices") << 7 << 12 << false;
-    QTest::newRow("nine beams wide and free in all slices") << 9 << 20 << false;
-}
-
-void SettleTracksTest::aNarrowPlaneThatStandsFreeIsAPole()
-{
-    QFETCH(const int, beams);
-    QFETCH(const int, freeSlices);
-    QFETCH(const bool, pole);
-    OneWall wall(20, wallBy(360, 359 + beams), degrees(80.0));
-    for (SegmentNumber number = 0; number < 20; ++number) {
-        wall.segment(number).startsFree = number < freeSlices;
-        wall.segment(number).endsFree = true;
-    }
-
-    QVERIFY(wall.droppedFor() == (pole ? Names{"free_strip_share"} : Names{}));
-
-    if (pole)
-        QCOMPARE(testOf(wall.scan.recorded.report.decisions[0].tests, "free_strip_share").value, freeSlices / 20.0);
-}
-
-void SettleTracksTest::aPlaneExplainsItsSegments()
-{
-    // Three segments have three degrees of freedom: 1 + 3·√(2/3) is the limit.
-    OneWall wall(3);
-    const double limit = 1.0 + 3.0 * std::sqrt(2.0 / 3.0);
-    disturb(wall.segment(1), 0.0, 0.004);
-    wall.make(kWall);
-    const double part = wall.reducedChi() / limit;
-    QVERIFY(part > 0.0);
-
-    for (const double factor : {0.95, 1.05}) {
-        // χ² goes with the square of what a segment is turned by.
-        OneWall turned(3);
-        disturb(turned.segment(1), 0.0, std::atan(0.004 * std::sqrt(factor / part)));
-        turned.make(kWall);
-        const double reduced = turned.reducedChi();
-        QVERIFY(std::abs(reduced / (factor * limit) - 1.0) < 0.02);
-
-        QVERIFY(turned.droppedFor() == (factor > 1.0 ? Names{"reduced_chi2"} : Names{}));
-
-        if (factor > 1.0) {
-            const Test test = testOf(turned.scan.recorded.report.decisions[0].tests, "reduced_chi2");
-            QVERIFY(std::abs(test.value / reduced - 1.0) < 1e-12);
-            QVERIFY(std::abs(test.limit - limit) < 1e-12);
-        }
-    }
-}
-
-void SettleTracksTest::aPlaneOfManySegmentsNeedNotExplainThem()
-{
-    for (const int slices : {60, 61}) {
-        OneWall wall(slices, kWall, degrees(60.0), degrees(1.0));
-        for (SegmentNumber number = 0; number < slices; ++number)
-            disturb(wall.segment(number), number % 2 == 0 ? 0.02 : -0.02, 0.0);
-        wall.make(kWall);
-
-        QVERIFY(wall.droppedFor() == (slices == 60 ? Names{"reduced_chi2"} : Names{}));
-    }
-}
-
-void SettleTracksTest::aPlaneIsOfStraightSegments_data()
-{
-    QTest::addColumn<double>("chi");
-    QTest::addColumn<int>("segments");
-    QTest::addColumn<bool>("dropped");
-
-    // 81 points have 79 degrees of freedom: they are straight up to 2·(79 + 4·√158) = 258.6.
-    QTest::newRow("six of ten bent") << 259.0 << 6 << true;
-    QTest::newRow("half of them bent") << 259.0 << 5 << false;
-    QTest::newRow("all of them nearly bent") << 258.0 << 10 << false;
-}
-
-void SettleTracksTest::aPlaneIsOfStraightSegments()
-{
-    QFETCH(const double, chi);
-    QFETCH(const int, segments);
-    QFETCH(const bool, dropped);
-    OneWall wall(10);
-    for (SegmentNumber number = 0; number < segments; ++number)
-        wall.segment(number).chi = chi;
-
-    QVERIFY(wall.droppedFor() == (dropped ? Names{"bent_share"} : Names{}));
-}
-
-void SettleTracksTest::aPlaneIsMetAtMoreThanAGrazingAngle_data()
-{
-    QTest::addColumn<double>("below");
-    QTest::addColumn<bool>("dropped");
-
-    // Straight ahead a floor is met at the angle by which the slice looks down: 0.1° less and more than this. At less
-    // than 3° no segment can be told to belong, either.
-    QTest::newRow("2.9 degrees") << 2.9 << true;
-    QTest::newRow("3.1 degrees") << 3.1 << false;
-}
-
-void SettleTracksTest::aPlaneIsMetAtMoreThanAGrazingAngle()
-{
-    QFETCH(const double, below);
-    QFETCH(const bool, dropped);
-    OneWall floor(3, {-Eigen::Vector3d::UnitZ(), 0.2, 355, 365}, degrees(90.0 - below - 0.1), degrees(0.1));
-    floor.scan.parameters.likelihood.minSolidAngle = 0.0;
-
-    QVERIFY(floor.droppedFor() == (dropped ? Names{"reduced_chi2", "incidence"} : Names{}));
-}
-
-void SettleTracksTest::droppedPlanesFreeTheirSegments()
-{
-    NoddingScan scan;
-    scan.nod(5, {wallBy(300, 303), wallBy(320, 400), wallBy(410, 413)});
-    for (int i = 0; i < 3; ++i)
-        scan.makePlane(scan.column(i, 0, 4), kWall);
-
-    dropUnfounded(scan.map, scan.parameters, scan.recorded.recorder);
-
-    QVERIFY((scan.planeIds() == std::vector<PlaneId>{1}));
-    QVERIFY(disagreement(scan.map).empty());
-    const auto decisions = scan.recorded.decisions(DecisionKind::NoFit);
-    QCOMPARE(decisions.size(), std::size_t{2});
-    QCOMPARE(planeOf(decisions[0].operands.at(0)), 0);
-    QCOMPARE(planeOf(decisions[1].operands.at(0)), 2);
-    QCOMPARE(testOf(decisions[0].tests, "points").value, 20.0);
 }
 
 void SettleTracksTest::lastFitIsWithoutSegmentsBeyondTheGate()

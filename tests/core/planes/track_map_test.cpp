@@ -18,8 +18,7 @@
 namespace planewright {
 namespace {
 
-/// A wall 4 m ahead, and one that leans and is turned out of all axes.
-const Surface kWall{};
+/// A wall that leans and is turned out of all axes.
 const Surface kLeaning{Eigen::Vector3d{0.3, 0.9, -0.2}.normalized(), 3.0, 320, 400};
 
 /// A scan whose slices see a surface with the noise of range and pitch.

@@ -16,10 +16,7 @@
 namespace planewright {
 namespace {
 
-using Numbers = std::vector<SegmentNumber>;
-
-/// A wall 4 m ahead, and one that leans and is turned out of all axes.
-const Surface kWall{};
+/// A wall that leans and is turned out of all axes.
 const Surface kLeaning{Eigen::Vector3d{0.3, 0.9, -0.2}.normalized(), 3.0, 320, 400};
 
 /// Ten slices of the leaning surface whose points stray from it by a centimetre, and these points in space.
