@@ -29,28 +29,27 @@ double square(double x)
 /// Closes up the beams without echo, a run of echoes at a time.
 void BeamPoints::dropMissing(int beams)
 {
-    const auto missing = [](float range) { return !(range > 0.0F); };
-    const auto end = range_.begin() + beams;
-    std::size_t kept = 0;
+    constexpr std::uint8_t kEcho = 0;
+    constexpr std::uint8_t kMissing = 1;
+    for (std::size_t i = 0; i < at(beams); ++i)  // the marks are free until gaps are looked for
+        marks_[i] = range_[i] > 0.0F ? kEcho : kMissing;
+    const auto next = [&](int from, std::uint8_t kind) {
+        const void* found = from < beams ? std::memchr(marks_.data() + from, kind, at(beams - from)) : nullptr;
+        return found == nullptr ? beams : static_cast<int>(static_cast<const std::uint8_t*>(found) - marks_.data());
+    };
+    int kept = 0;
     wideGaps_.clear();
-    for (auto run = range_.begin(); run != end;) {
-        if (missing(*run)) {
-            ++run;
-            continue;
-        }
-        const auto next = std::find_if(run, end, missing);
-        const auto from = static_cast<std::size_t>(run - range_.begin());
-        const auto count = static_cast<std::size_t>(next - run);
-        if (kept > 0 && static_cast<int>(from) - beam_[kept - 1] > kBridgedBeams)
-            wideGaps_.push_back(static_cast<int>(kept));
-        std::iota(beam_.begin() + static_cast<std::ptrdiff_t>(kept),
-                  beam_.begin() + static_cast<std::ptrdiff_t>(kept + count), static_cast<int>(from));
-        if (kept != from) {
+    for (int first = next(0, kEcho); first < beams;) {
+        const int end = next(first, kMissing);
+        if (kept > 0 && first - beam_[at(kept - 1)] > kBridgedBeams)
+            wideGaps_.push_back(kept);
+        std::iota(beam_.begin() + kept, beam_.begin() + kept + (end - first), first);
+        if (kept != first) {
             for (std::vector<float>* numbers : {&range_, &u_, &v_, &relativeVariance_})
-                std::memmove(numbers->data() + kept, numbers->data() + from, count * sizeof(float));
+                std::memmove(numbers->data() + kept, numbers->data() + first, at(end - first) * sizeof(float));
         }
-        kept += count;
-        run = next;
+        kept += end - first;
+        first = next(end, kEcho);
     }
 }
 

@@ -31,13 +31,12 @@ void StatisticsExtractor::trimEnds(LinePiece& piece, const NoiseParameters& nois
     for (int side = 0; side < 2; ++side) {
         for (int trimmed = 0; trimmed < kTrimmedPoints && piece.points() > shortest_; ++trimmed) {
             const int i = side == 0 ? piece.first : piece.last;
-            MomentLine line = lineOf(piece.moments);
-            const double suspicious = square(0.5 * kTrimSigmas) * centroidVariance(line, piece.moments, noise);
-            if (square(distanceTo(line, piece.moments, points_.u(i), points_.v(i))) < suspicious)
+            const double suspicious = square(0.5 * kTrimSigmas) * piece.variance;
+            if (square(distanceTo(piece.line, piece.moments, points_.u(i), points_.v(i))) < suspicious)
                 break;
             LineMoments others = piece.moments;
             others.remove(points_.u(i), points_.v(i));
-            line = lineOf(others);
+            const MomentLine line = lineOf(others);
             const double variance = centroidVariance(line, others, noise);
             const double along =
                 line.directionU * (points_.u(i) - others.u) + line.directionV * (points_.v(i) - others.v);
@@ -46,6 +45,8 @@ void StatisticsExtractor::trimEnds(LinePiece& piece, const NoiseParameters& nois
                 square(kTrimSigmas) * leverage * variance)
                 break;
             piece.moments = others;
+            piece.line = line;
+            piece.variance = variance;
             piece.first += side == 0 ? 1 : 0;
             piece.last -= side == 0 ? 0 : 1;
         }
@@ -55,9 +56,8 @@ void StatisticsExtractor::trimEnds(LinePiece& piece, const NoiseParameters& nois
 /// Leaves the points out that lie off the line, where it explains its points badly.
 void StatisticsExtractor::clip(LinePiece& piece, const NoiseParameters& noise) const
 {
-    const MomentLine line = lineOf(piece.moments);
-    const double variance = centroidVariance(line, piece.moments, noise);
-    if (line.across <= variance * largestChi(piece.moments.count))
+    const MomentLine& line = piece.line;
+    if (line.across <= piece.variance * largestChi(piece.moments.count))
         return;
     LineMoments inside;
     for (int i = piece.first; i <= piece.last; ++i) {
@@ -69,30 +69,34 @@ void StatisticsExtractor::clip(LinePiece& piece, const NoiseParameters& noise) c
         return;
     piece.clipped = inside.count < piece.moments.count;
     piece.moments = inside;
+    fitLine(piece, noise);
 }
 
 bool StatisticsExtractor::belongTogether(const LinePiece& left, const LinePiece& right, const Parameters& parameters,
-                                         double bearingStep, LineMoments& together) const
+                                         double bearingStep, LinePiece& together) const
 {
     if (right.first - left.last - 1 > kTrimmedPoints)
         return false;
     const double gap =
-        std::hypot(points_.u(right.first) - points_.u(left.last), points_.v(right.first) - points_.v(left.last));
+        square(points_.u(right.first) - points_.u(left.last)) + square(points_.v(right.first) - points_.v(left.last));
     const double range = std::max(points_.range(left.last), points_.range(right.first));
-    if (gap >= std::max(parameters.segments.mergeGap, parameters.segments.mergeGapSteps * range * bearingStep))
+    if (gap >= square(std::max(parameters.segments.mergeGap, parameters.segments.mergeGapSteps * range * bearingStep)))
         return false;
-    together = left.moments;
-    together.add(right.moments);
-    const MomentLine line = lineOf(together);
-    const double variance = centroidVariance(line, together, parameters.noise);
-    const double apart = lineOf(left.moments).across + lineOf(right.moments).across;
-    return line.across - apart < kCommonLine * variance && line.across < variance * largestChi(together.count);
+    together.first = left.first;
+    together.last = right.last;
+    together.moments = left.moments;
+    together.moments.add(right.moments);
+    together.clipped = left.clipped || right.clipped || right.first != left.last + 1;
+    fitLine(together, parameters.noise);
+    const double apart = left.line.across + right.line.across;
+    return together.line.across - apart < kCommonLine * together.variance &&
+           together.line.across < together.variance * largestChi(together.moments.count);
 }
 
 SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, const NoiseParameters& noise) const
 {
     const LineMoments& moments = piece.moments;
-    MomentLine line = lineOf(moments);
+    MomentLine line = piece.line;
     const double spanU = points_.u(piece.last) - points_.u(piece.first);
     const double spanV = points_.v(piece.last) - points_.v(piece.first);
     if (spanU * line.directionU + spanV * line.directionV < 0.0) {
@@ -194,15 +198,11 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
     for (LinePiece& piece : pieces) {
         trimEnds(piece, parameters.noise);
         clip(piece, parameters.noise);
-        LineMoments together;
-        if (kept > 0 && belongTogether(pieces[kept - 1], piece, parameters, slice.bearingStep, together)) {
-            LinePiece& before = pieces[kept - 1];
-            before.clipped = before.clipped || piece.clipped || piece.first != before.last + 1;
-            before.last = piece.last;
-            before.moments = together;
-        } else {
+        LinePiece together;
+        if (kept > 0 && belongTogether(pieces[kept - 1], piece, parameters, slice.bearingStep, together))
+            pieces[kept - 1] = together;
+        else
             pieces[kept++] = piece;
-        }
     }
     for (std::size_t i = 0; i < kept; ++i) {
         if (pieces[i].moments.count >= static_cast<double>(shortest_))

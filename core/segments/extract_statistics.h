@@ -36,7 +36,7 @@ private:
     void trimEnds(LinePiece& piece, const NoiseParameters& noise) const;
     void clip(LinePiece& piece, const NoiseParameters& noise) const;
     bool belongTogether(const LinePiece& left, const LinePiece& right, const Parameters& parameters, double bearingStep,
-                        LineMoments& together) const;
+                        LinePiece& together) const;
     SegmentStatistics statisticsOf(const LinePiece& piece, const NoiseParameters& noise) const;
 
     BeamPoints points_;

@@ -16,7 +16,9 @@ struct LinePiece {
     int first = 0;
     int last = 0;
     LineMoments moments;
-    bool clipped = false;  ///< points far from the line were left out of the moments
+    bool clipped = false;   ///< points far from the line were left out of the moments
+    MomentLine line;        ///< of the moments, where the piece has been fitted
+    double variance = 0.0;  ///< of a point across the line, at the mean of the points [m²]
 
     int points() const { return last - first + 1; }
 };
@@ -45,6 +47,13 @@ inline double varianceAcross(double normalU, double normalV, double u, double v,
 inline double centroidVariance(const MomentLine& line, const LineMoments& moments, const NoiseParameters& noise)
 {
     return varianceAcross(line.normalU(), line.normalV(), moments.u, moments.v, noise);
+}
+
+/// Works out the line of a piece's moments.
+inline void fitLine(LinePiece& piece, const NoiseParameters& noise)
+{
+    piece.line = lineOf(piece.moments);
+    piece.variance = centroidVariance(piece.line, piece.moments, noise);
 }
 
 /// Signed distance of a point to a line [m].

@@ -33,7 +33,7 @@ std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shorte
         first = next;
     }
     straight_.clear();
-    for (const LinePiece& piece : pieces_)
+    for (LinePiece& piece : pieces_)
         divideBent(piece, kDeepestBend, parameters.noise);
     return straight_;
 }
@@ -65,7 +65,7 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
             const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
             const int start = shared ? open.first + 1 : open.first;
             if (open.last - start + 1 >= shortest_)
-                pieces_.push_back({start, open.last, points_->momentsOf(start, open.last)});
+                pieces_.push_back(pieceOf(start, open.last));
             continue;
         }
         if (open.depth >= kDeepestDivision)
@@ -75,6 +75,15 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
     }
     for (std::size_t i = begin + 1; i < pieces_.size(); ++i)
         settleBorder(pieces_[i - 1], pieces_[i], parameters.noise);
+}
+
+LinePiece StraightPieces::pieceOf(int first, int last) const
+{
+    LinePiece piece;
+    piece.first = first;
+    piece.last = last;
+    piece.moments = points_->momentsOf(first, last);
+    return piece;
 }
 
 /// Moments of a handful of points.
@@ -111,20 +120,25 @@ void StraightPieces::settleBorder(LinePiece& left, LinePiece& right, const Noise
     const auto movable = [](const LinePiece& piece) { return std::clamp(piece.points() / 3, 1, kMovablePoints); };
     const int low = left.last - movable(left) + 1;
     const int high = right.first + movable(right) - 1;
-    left.moments.remove(fewPoints(low, left.last));
-    right.moments.remove(fewPoints(right.first, high));
-    const MomentLine leftLine = lineOf(left.moments);
-    const MomentLine rightLine = lineOf(right.moments);
-    const double leftWeight = 1.0 / centroidVariance(leftLine, left.moments, noise);
-    const double rightWeight = 1.0 / centroidVariance(rightLine, right.moments, noise);
+    LineMoments leftSure = left.moments;
+    LineMoments rightSure = right.moments;
+    leftSure.remove(fewPoints(low, left.last));
+    rightSure.remove(fewPoints(right.first, high));
+    const auto costOf = [&](const LineMoments& moments) {
+        const MomentLine line = lineOf(moments);
+        // The distance of a point in standard deviations as a linear function of its place.
+        const double scale = 1.0 / std::sqrt(centroidVariance(line, moments, noise));
+        const double normalU = scale * line.normalU();
+        const double normalV = scale * line.normalV();
+        const double offset = normalU * moments.u + normalV * moments.v;
+        return [this, normalU, normalV, offset](int i) {
+            return square(normalU * points_->u(i) + normalV * points_->v(i) - offset);
+        };
+    };
+    const auto leftCost = costOf(leftSure);
+    const auto rightCost = costOf(rightSure);
     // Of all borders in reach the one with the smallest sum of squares, where a stranger to both counts as a limit.
     constexpr double kStranger = kClipSigmas * kClipSigmas;
-    const auto leftCost = [&](int i) {
-        return square(distanceTo(leftLine, left.moments, points_->u(i), points_->v(i))) * leftWeight;
-    };
-    const auto rightCost = [&](int i) {
-        return square(distanceTo(rightLine, right.moments, points_->u(i), points_->v(i))) * rightWeight;
-    };
     double sum = 0.0;
     double best = 0.0;
     int border = low;  // first point of the right piece
@@ -135,25 +149,33 @@ void StraightPieces::settleBorder(LinePiece& left, LinePiece& right, const Noise
             border = i + 1;
         }
     }
+    const int leftLast = left.last;
+    const int rightFirst = right.first;
     left.last = border - 1;
     right.first = border;
     while (left.last >= low && leftCost(left.last) > kStranger)
         --left.last;
     while (right.first <= high && rightCost(right.first) > kStranger)
         ++right.first;
-    if (left.last >= low)
-        left.moments.add(fewPoints(low, left.last));
-    if (right.first <= high)
-        right.moments.add(fewPoints(right.first, high));
+    if (left.last != leftLast) {
+        left.moments = leftSure;
+        if (left.last >= low)
+            left.moments.add(fewPoints(low, left.last));
+    }
+    if (right.first != rightFirst) {
+        right.moments = rightSure;
+        if (right.first <= high)
+            right.moments.add(fewPoints(right.first, high));
+    }
 }
 
 /// Where two lines explain a piece best: the first point of the second one; −1 where two explain it no better than one.
-int StraightPieces::bestDivision(const LinePiece& piece, const MomentLine& line, double variance) const
+int StraightPieces::bestDivision(const LinePiece& piece) const
 {
     int low = piece.first + shortest_;
     int high = piece.last - shortest_ + 1;
     int division = -1;
-    double least = line.across - kDivisionGain * variance;
+    double least = piece.line.across - kDivisionGain * piece.variance;
     // Every few points first, then every point around the best.
     for (int step = std::max(1, piece.points() / kDivisionsTried);; step = std::max(1, step / kDivisionsTried * 2)) {
         LineMoments left = fewPoints(piece.first, low - 1);
@@ -177,16 +199,15 @@ int StraightPieces::bestDivision(const LinePiece& piece, const MomentLine& line,
 
 /// Appends a piece to the straight ones, divided where two lines explain it much better than one: steps and bends that
 /// are too small for any point to be far from the chord.
-void StraightPieces::divideBent(const LinePiece& piece, int depth, const NoiseParameters& noise)
+void StraightPieces::divideBent(LinePiece& piece, int depth, const NoiseParameters& noise)
 {
+    fitLine(piece, noise);
     if (depth > 0 && piece.points() >= 2 * shortest_) {
-        const MomentLine line = lineOf(piece.moments);
-        const double variance = centroidVariance(line, piece.moments, noise);
         const int division =
-            line.across > variance * largestChi(piece.moments.count) ? bestDivision(piece, line, variance) : -1;
+            piece.line.across > piece.variance * largestChi(piece.moments.count) ? bestDivision(piece) : -1;
         if (division >= 0) {
-            LinePiece left{piece.first, division - 1, points_->momentsOf(piece.first, division - 1)};
-            LinePiece right{division, piece.last, points_->momentsOf(division, piece.last)};
+            LinePiece left = pieceOf(piece.first, division - 1);
+            LinePiece right = pieceOf(division, piece.last);
             settleBorder(left, right, noise);
             divideBent(left, depth - 1, noise);
             divideBent(right, depth - 1, noise);

@@ -19,7 +19,7 @@ public:
     ///
     /// Runs between breakpoints are divided where a point is too far from its chord, in standard deviations
     /// (iterative end-point fit), and then where two lines explain a piece much better than one. Borders between
-    /// pieces are settled by their lines.
+    /// pieces are settled by their lines. The pieces are fitted.
     std::span<LinePiece> divide(const BeamPoints& points, int shortest, const Parameters& parameters);
 
 private:
@@ -30,10 +30,11 @@ private:
     };
 
     void splitRun(int first, int last, const Parameters& parameters);
+    LinePiece pieceOf(int first, int last) const;
     LineMoments fewPoints(int first, int last) const;
     void settleBorder(LinePiece& left, LinePiece& right, const NoiseParameters& noise) const;
-    int bestDivision(const LinePiece& piece, const MomentLine& line, double variance) const;
-    void divideBent(const LinePiece& piece, int depth, const NoiseParameters& noise);
+    int bestDivision(const LinePiece& piece) const;
+    void divideBent(LinePiece& piece, int depth, const NoiseParameters& noise);
 
     const BeamPoints* points_ = nullptr;
     int shortest_ = 0;
