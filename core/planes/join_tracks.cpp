@@ -26,7 +26,8 @@ void consider(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const Para
 {
     if (best.plane == &plane)
         return;
-    const double chi = map.joinChi(plane, number, parameters.noise, floor);
+    const double limit = best.plane == nullptr ? gate : std::min(gate, best.chi);
+    const double chi = map.joinChi(plane, number, parameters.noise, floor, limit);
     if (chi < gate && (best.plane == nullptr || chi < best.chi))
         best = {&plane, chi, gate};
 }
@@ -63,11 +64,15 @@ bool isInSight(const PlaneTrack& plane, int place, const TrackMap& map)
 void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parameters, Candidate& best)
 {
     const int place = map.segment(number).slice;
-    const double variance = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
+    const double known = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
+    const double gate = parameters.likelihood.apartGate;
+    const double floor = 0.5 * parameters.flatnessFloor();
+    const Eigen::Vector3d centroid = map.centroid(number);
+    const double variance = mostVariance(map.segment(number).statistics, centroid, parameters.noise, floor);
     for (PlaneTrack& plane : map.planes()) {
-        if (plane.estimate.normalVariance() < variance && isInSight(plane, place, map))
-            consider(plane, number, map, parameters, 0.5 * parameters.flatnessFloor(), parameters.likelihood.apartGate,
-                     best);
+        if (plane.estimate.normalVariance() < known && plane.estimate.mayMeet(centroid, variance, gate) &&
+            isInSight(plane, place, map))
+            consider(plane, number, map, parameters, floor, gate, best);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/LU>
 
@@ -17,21 +18,24 @@ namespace {
 /// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact, and
 /// at that angle none can be told to belong.
 constexpr double kLeastSteepness = 2.7e-3;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Derivatives of a segment's distance to the plane, at its centroid and along it, by the unknowns.
+/// Derivatives of a segment's distance to the plane by the unknowns, at its centroid and along it.
 struct Row {
-    Eigen::Vector3d place;  // at the centroid
-    Eigen::Vector3d slope;  // along the line
-    double distance;        // at the linearisation point
+    double first, second;            ///< by the tangent angles at the centroid; by d it is −1
+    double firstSlope, secondSlope;  ///< along the line
+    double distance;                 ///< at the linearisation point
     double inclination;
-    double pitchPlace;
+    double pitch;
     double pitchSlope;
 };
 
-Row rowOf(const PlaneInSlice& seen, const SegmentStatistics& s)
+inline Row rowOf(const PlaneInSlice& seen, const SegmentStatistics& s)
 {
-    return {{seen.first.at(s.u, s.v), seen.second.at(s.u, s.v), -1.0},
-            {seen.first.along(s.directionU, s.directionV), seen.second.along(s.directionU, s.directionV), 0.0},
+    return {seen.first.at(s.u, s.v),
+            seen.second.at(s.u, s.v),
+            seen.first.along(s.directionU, s.directionV),
+            seen.second.along(s.directionU, s.directionV),
             seen.distance.at(s.u, s.v),
             seen.distance.along(s.directionU, s.directionV),
             seen.pitch.at(s.u, s.v),
@@ -43,41 +47,30 @@ SliceFunction functionOf(const Eigen::Vector3d& direction, const SliceFrame& fra
     return {direction.x(), direction.dot(frame.ahead), direction.dot(frame.origin)};
 }
 
-/// Variance of the distance at the centroid relative to that of a segment by its own noise: 1 but where each point has
-/// its own pitch error.
-struct Weights {
+/// Variances of a segment's distance to the plane at its centroid and of its slope, by the noise of its points.
+struct Variances {
     double place;
     double slope;
 };
 
-Weights weightsOf(const PlaneInSlice& seen, const SegmentStatistics& s, const Row& row, const NoiseParameters& noise)
+inline Variances variancesOf(const PlaneInSlice& seen, const SegmentStatistics& s, const Row& row,
+                             const NoiseParameters& noise)
 {
     double steepness = seen.steepness;
     if (!noise.pitchCommon) {
         // Pitch noise of its own for each point: it adds to the variance of every point.
         const double perPoint = s.offsetInformation / s.points;
-        steepness += row.pitchPlace * row.pitchPlace * noise.pitch * noise.pitch * perPoint;
+        steepness += row.pitch * row.pitch * noise.pitch * noise.pitch * perPoint;
     }
-    return {s.offsetInformation / steepness, s.slopeInformation / steepness};
+    return {steepness / s.offsetInformation, steepness / s.slopeInformation};
 }
 
-/// What a segment may be off the plane as a whole [m] where its ranges may be off together by a floor [m].
-double floorAcross(const PlaneInSlice& seen, double floor)
+/// The same with a floor [m²] of what the segment may be off as a whole; its slope may be off as if its ends were by
+/// twice the floor.
+inline Variances withFloor(Variances variances, const SegmentStatistics& segment, double squaredFloor)
 {
-    return floor * std::sqrt(seen.steepness);
-}
-
-/// What a segment's slope may be off [rad] where its ends may be off by twice the floor [m].
-double slopeFloorOf(const SegmentStatistics& segment, double floor)
-{
-    return 4.0 * floor / std::max(segment.length(), 1e-6);
-}
-
-/// Weights with a floor [m] of what the segment may be off as a whole.
-Weights flooredWeights(const Weights& weights, const SegmentStatistics& segment, double floor)
-{
-    const double slopeFloor = slopeFloorOf(segment, floor);
-    return {1.0 / (1.0 / weights.place + floor * floor), 1.0 / (1.0 / weights.slope + slopeFloor * slopeFloor)};
+    const double length = std::max(segment.length(), 1e-6);
+    return {variances.place + squaredFloor, variances.slope + 16.0 * squaredFloor / (length * length)};
 }
 
 double commonPitchVariance(const NoiseParameters& noise)
@@ -120,30 +113,53 @@ PlaneInSlice PlaneEstimate::inSlice(const SliceFrame& frame) const
 void PlaneEstimate::accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,
                                const NoiseParameters& noise, double floor, double sign)
 {
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-    Eigen::Vector3d coupling = Eigen::Vector3d::Zero();
-    double chi = 0.0;
-    double pitchInformation = 0.0;
-    double pitchGradient = 0.0;
+    // Sums of the slice: information by (first, second, d), gradient, and coupling with the pitch.
+    double i00 = 0.0, i01 = 0.0, i02 = 0.0, i11 = 0.0, i12 = 0.0, i22 = 0.0;
+    double g0 = 0.0, g1 = 0.0, g2 = 0.0;
+    double c0 = 0.0, c1 = 0.0, c2 = 0.0;
+    double chi = 0.0, pitchInformation = 0.0, pitchGradient = 0.0;
     for (const SegmentStatistics* segment : segments) {
         const Row row = rowOf(seen, *segment);
-        const Weights weights = flooredWeights(weightsOf(seen, *segment, row, noise), *segment, floor);
-        const Eigen::Vector3d place = weights.place * row.place;
-        const Eigen::Vector3d slope = weights.slope * row.slope;
-        information += place * row.place.transpose() + slope * row.slope.transpose();
-        gradient += row.distance * place + row.inclination * slope;
-        coupling += row.pitchPlace * place + row.pitchSlope * slope;
-        chi += weights.place * row.distance * row.distance + weights.slope * row.inclination * row.inclination;
-        pitchInformation +=
-            weights.place * row.pitchPlace * row.pitchPlace + weights.slope * row.pitchSlope * row.pitchSlope;
-        pitchGradient +=
-            weights.place * row.pitchPlace * row.distance + weights.slope * row.pitchSlope * row.inclination;
+        const Variances variances = withFloor(variancesOf(seen, *segment, row, noise), *segment, floor * floor);
+        const double place = 1.0 / variances.place;
+        const double slope = 1.0 / variances.slope;
+        const double p0 = place * row.first;
+        const double p1 = place * row.second;
+        const double s0 = slope * row.firstSlope;
+        const double s1 = slope * row.secondSlope;
+        i00 += p0 * row.first + s0 * row.firstSlope;
+        i01 += p0 * row.second + s0 * row.secondSlope;
+        i02 -= p0;
+        i11 += p1 * row.second + s1 * row.secondSlope;
+        i12 -= p1;
+        i22 += place;
+        g0 += row.distance * p0 + row.inclination * s0;
+        g1 += row.distance * p1 + row.inclination * s1;
+        g2 -= row.distance * place;
+        c0 += row.pitch * p0 + row.pitchSlope * s0;
+        c1 += row.pitch * p1 + row.pitchSlope * s1;
+        c2 -= row.pitch * place;
+        chi += place * row.distance * row.distance + slope * row.inclination * row.inclination;
+        pitchInformation += place * row.pitch * row.pitch + slope * row.pitchSlope * row.pitchSlope;
+        pitchGradient += place * row.pitch * row.distance + slope * row.pitchSlope * row.inclination;
     }
     const double variance = commonPitchVariance(noise);
     const double k = variance / (1.0 + variance * pitchInformation);
-    information_ += sign * (information - k * coupling * coupling.transpose());
-    gradient_ += sign * (gradient - k * pitchGradient * coupling);
+    const double k0 = k * c0;
+    const double k1 = k * c1;
+    const double k2 = k * c2;
+    information_(0, 0) += sign * (i00 - k0 * c0);
+    information_(0, 1) += sign * (i01 - k0 * c1);
+    information_(0, 2) += sign * (i02 - k0 * c2);
+    information_(1, 1) += sign * (i11 - k1 * c1);
+    information_(1, 2) += sign * (i12 - k1 * c2);
+    information_(2, 2) += sign * (i22 - k2 * c2);
+    information_(1, 0) = information_(0, 1);
+    information_(2, 0) = information_(0, 2);
+    information_(2, 1) = information_(1, 2);
+    gradient_[0] += sign * (g0 - k0 * pitchGradient);
+    gradient_[1] += sign * (g1 - k1 * pitchGradient);
+    gradient_[2] += sign * (g2 - k2 * pitchGradient);
     chi_ += sign * (chi - k * pitchGradient * pitchGradient);
 }
 
@@ -169,48 +185,71 @@ bool PlaneEstimate::solve()
 }
 
 double PlaneEstimate::joinChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
-                              double floor) const
+                              double floor, double limit) const
 {
-    return chiOf(seen, segment, noise, floor, covariance_);
+    return chiOf(seen, segment, noise, floor, limit, true);
 }
 
 double PlaneEstimate::residualChi(const PlaneInSlice& seen, const SegmentStatistics& segment,
                                   const NoiseParameters& noise, double floor) const
 {
-    return chiOf(seen, segment, noise, floor, Eigen::Matrix3d::Zero());
+    return chiOf(seen, segment, noise, floor, kInfinite, false);
 }
 
 double PlaneEstimate::chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
-                            double rangeFloor, const Eigen::Matrix3d& covariance) const
+                            double floor, double limit, bool withOwnVariance) const
 {
     if (seen.steepness <= kLeastSteepness)
-        return std::numeric_limits<double>::infinity();
+        return kInfinite;
     const Row row = rowOf(seen, segment);
-    const Weights weights = weightsOf(seen, segment, row, noise);
-    const double distance = row.distance + row.place.dot(step_);
-    const double inclination = row.inclination + row.slope.dot(step_);
-    const Eigen::Vector3d spread = covariance * row.place;
-    const double variance = commonPitchVariance(noise);
-    const double floor = floorAcross(seen, rangeFloor);
-    const double slopeFloor = slopeFloorOf(segment, floor);
-    const double place =
-        1.0 / weights.place + variance * row.pitchPlace * row.pitchPlace + row.place.dot(spread) + floor * floor;
-    const double both = variance * row.pitchPlace * row.pitchSlope + row.slope.dot(spread);
-    const double slope = 1.0 / weights.slope + variance * row.pitchSlope * row.pitchSlope +
-                         row.slope.dot(covariance * row.slope) + slopeFloor * slopeFloor;
+    const Variances variances =
+        withFloor(variancesOf(seen, segment, row, noise), segment, floor * floor * seen.steepness);
+    const double pitch = commonPitchVariance(noise);
+    const double distance = row.distance + row.first * step_[0] + row.second * step_[1] - step_[2];
+    const Eigen::Matrix3d& c = covariance_;
+    double place = variances.place + pitch * row.pitch * row.pitch;
+    if (withOwnVariance)
+        place += row.first * (c(0, 0) * row.first + 2.0 * (c(0, 1) * row.second - c(0, 2))) +
+                 row.second * (c(1, 1) * row.second - 2.0 * c(1, 2)) + c(2, 2);
+    if (distance * distance >= limit * place)
+        return kInfinite;
+    const double inclination = row.inclination + row.firstSlope * step_[0] + row.secondSlope * step_[1];
+    double both = pitch * row.pitch * row.pitchSlope;
+    double slope = variances.slope + pitch * row.pitchSlope * row.pitchSlope;
+    if (withOwnVariance) {
+        const double spread0 = c(0, 0) * row.firstSlope + c(0, 1) * row.secondSlope;
+        const double spread1 = c(0, 1) * row.firstSlope + c(1, 1) * row.secondSlope;
+        const double spread2 = c(0, 2) * row.firstSlope + c(1, 2) * row.secondSlope;
+        both += row.first * spread0 + row.second * spread1 - spread2;
+        slope += row.firstSlope * spread0 + row.secondSlope * spread1;
+    }
     return (slope * distance * distance - 2.0 * both * distance * inclination + place * inclination * inclination) /
            (place * slope - both * both);
+}
+
+bool PlaneEstimate::mayMeet(const Eigen::Vector3d& centroid, double variance, double limit) const
+{
+    const double own = (1.0 + centroid.squaredNorm()) * covariance_.trace();
+    const double distance = normal_.dot(centroid) - distance_;
+    return distance * distance < limit * (variance + own);
 }
 
 PitchEvidence PlaneEstimate::pitchEvidence(const PlaneInSlice& seen, const SegmentStatistics& segment,
                                            const NoiseParameters& noise, double floor) const
 {
     const Row row = rowOf(seen, segment);
-    const Weights weights = flooredWeights(weightsOf(seen, segment, row, noise), segment, floor);
-    const double distance = row.distance + row.place.dot(step_);
-    const double inclination = row.inclination + row.slope.dot(step_);
-    return {weights.place * row.pitchPlace * row.pitchPlace + weights.slope * row.pitchSlope * row.pitchSlope,
-            weights.place * row.pitchPlace * distance + weights.slope * row.pitchSlope * inclination};
+    const Variances variances = withFloor(variancesOf(seen, segment, row, noise), segment, floor * floor);
+    const double distance = row.distance + row.first * step_[0] + row.second * step_[1] - step_[2];
+    const double inclination = row.inclination + row.firstSlope * step_[0] + row.secondSlope * step_[1];
+    const double pitch = row.pitch / variances.place;
+    const double pitchSlope = row.pitchSlope / variances.slope;
+    return {pitch * row.pitch + pitchSlope * row.pitchSlope, pitch * distance + pitchSlope * inclination};
+}
+
+double mostVariance(const SegmentStatistics& segment, const Eigen::Vector3d& centroid, const NoiseParameters& noise,
+                    double floor)
+{
+    return 1.0 / segment.offsetInformation + floor * floor + noise.pitch * noise.pitch * centroid.squaredNorm();
 }
 
 double PlaneEstimate::mergeChi(const PlaneEstimate& other, double floor, double extent) const

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include <Eigen/Core>
@@ -85,9 +86,13 @@ public:
 
     /// χ² (2 degrees of freedom) of a segment against this plane: its distance and its slope, with the variances of
     /// segment, plane and pitch, and a floor [m] of what ranges may be off together. Infinite where the slice is in the
-    /// plane but for 3°.
+    /// plane but for 3°, and where the distance alone brings it to the limit.
     double joinChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
-                   double floor) const;
+                   double floor, double limit = std::numeric_limits<double>::infinity()) const;
+
+    /// False where joinChi is sure to reach the limit, by the distance of a segment's centroid [m] to this plane alone;
+    /// `variance` is the segment's mostVariance() [m²].
+    bool mayMeet(const Eigen::Vector3d& centroid, double variance, double limit) const;
 
     /// The same without the plane's own variance: for a segment that is already in it.
     double residualChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
@@ -103,7 +108,7 @@ public:
 
 private:
     double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
-                 double rangeFloor, const Eigen::Matrix3d& covariance) const;
+                 double floor, double limit, bool withOwnVariance) const;
 
     Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();  // the estimate
     double distance_ = 0.0;
@@ -117,5 +122,10 @@ private:
     Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
     double normalVariance_ = 0.0;
 };
+
+/// The most that noise, pitch and a floor [m] of what its ranges may be off together make of a segment's distance to
+/// any plane, by its centroid in space [m]: a variance [m²].
+double mostVariance(const SegmentStatistics& segment, const Eigen::Vector3d& centroid, const NoiseParameters& noise,
+                    double floor);
 
 }  // namespace planewright

@@ -48,12 +48,6 @@ struct Hypothesis {
     PlaneEstimate estimate;
 };
 
-Eigen::Vector3d centroid(SegmentNumber number, const TrackMap& map)
-{
-    const TrackedSegment& s = map.segment(number);
-    return map.slice(s.slice).frame.pointAt(s.statistics.u, s.statistics.v);
-}
-
 /// The most likely plane of segments of different slices; none where they do not determine one.
 bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, const Parameters& parameters,
                  PlaneEstimate& estimate)
@@ -61,13 +55,13 @@ bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, co
     const SegmentNumber a = numbers.front();
     const SegmentNumber c = numbers.back();
     const Eigen::Vector3d along = directionOf(a, map);
-    Eigen::Vector3d across = centroid(c, map) - centroid(a, map);
+    Eigen::Vector3d across = map.centroid(c) - map.centroid(a);
     const Eigen::Vector3d normal = along.cross(across);
     const double length = normal.norm();
-    const Eigen::Vector3d ray = centroid(c, map) - map.slice(map.segment(c).slice).frame.origin;
+    const Eigen::Vector3d ray = map.centroid(c) - map.slice(map.segment(c).slice).frame.origin;
     if (!(length > 1e-3 * across.norm()) || std::abs(normal.dot(ray)) < kGrazing * length * ray.norm())
         return false;
-    estimate = PlaneEstimate(normal / length, normal.dot(centroid(a, map)) / length);
+    estimate = PlaneEstimate(normal / length, normal.dot(map.centroid(a)) / length);
     for (int round = 0; round < 2; ++round) {
         if (round > 0)
             estimate = PlaneEstimate(estimate.normal(), estimate.distance());
@@ -88,10 +82,10 @@ bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, co
 /// True where the middle one of three centroids is roughly where the plane through the others says.
 bool roughlyCoplanar(SegmentNumber a, SegmentNumber b, SegmentNumber c, const TrackMap& map)
 {
-    const Eigen::Vector3d from = centroid(a, map);
-    Eigen::Vector3d normal = directionOf(a, map).cross(centroid(c, map) - from);
+    const Eigen::Vector3d from = map.centroid(a);
+    Eigen::Vector3d normal = directionOf(a, map).cross(map.centroid(c) - from);
     const double length = normal.norm();
-    return length > 0.0 && std::abs(normal.dot(centroid(b, map) - from)) < kRoughlyCoplanar * length;
+    return length > 0.0 && std::abs(normal.dot(map.centroid(b) - from)) < kRoughlyCoplanar * length;
 }
 
 /// Calls `visit` for each segment of a slice that belongs to no plane and overlaps another.
@@ -178,8 +172,8 @@ bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Pa
             map.visitOverlaps(place + near * towards, map.firstBeam(number), map.lastBeam(number), kOverlapMargin,
                               [&](SegmentNumber facing) { faces = faces || map.segment(facing).owner == plane.id; });
         }
-        if (faces &&
-            map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor()) < parameters.likelihood.joinGate)
+        const double gate = parameters.likelihood.joinGate;
+        if (faces && map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor(), gate) < gate)
             fitting.push_back(number);
     }
     if (fitting.empty())

@@ -18,27 +18,29 @@ constexpr double kStraightChi = 2.0;
 
 /// However coarse the scan, a plane has so many points.
 constexpr double kFewestPoints = 12.0;
+/// Planes that are nearer to where they were linearised [rad] are good enough to tell which segments fit.
+constexpr double kSettledAngle = 1e-3;
 /// Planes of more segments are not thinned out one by one.
 constexpr std::size_t kThinned = 60;
 
 struct Better {
     PlaneTrack* plane = nullptr;
-    double chi = 0.0;
+    double chi;
 };
 
-/// The best plane among those of the segments around one.
+/// The best plane among those of the segments around one that it may join.
 Better bestAround(SegmentNumber number, TrackMap& map, const Parameters& parameters)
 {
     const TrackedSegment& s = map.segment(number);
-    Better best;
+    Better best{nullptr, parameters.likelihood.joinGate};
     for (int place = s.slice - map.lookback(s.slice); place <= s.slice + map.lookahead(s.slice); ++place) {
         map.visitOverlaps(place, map.firstBeam(number), map.lastBeam(number), kOverlapMargin, [&](SegmentNumber other) {
             const PlaneId owner = map.segment(other).owner;
             if (owner == kNoPlane || owner == s.owner || (best.plane != nullptr && best.plane->id == owner))
                 return;
             PlaneTrack& plane = map.plane(owner);
-            const double chi = map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor());
-            if (best.plane == nullptr || chi < best.chi)
+            const double chi = map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor(), best.chi);
+            if (chi < best.chi)
                 best = {&plane, chi};
         });
     }
@@ -115,7 +117,7 @@ double largestReducedChi(const PlaneTrack& plane, const Parameters& parameters)
 void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const int step = map.slice(map.slices() - 1).step;
-    bool moved = false;
+    std::vector<PlaneId> changed;
     for (SegmentNumber number = 0; number < map.segments(); ++number) {
         const PlaneId owner = map.segment(number).owner;
         if (owner == kNoPlane)
@@ -125,7 +127,7 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
             continue;
         const Better better = bestAround(number, map, parameters);
         const double gate = parameters.likelihood.joinGate;
-        const bool goes = better.plane != nullptr && better.chi < gate && better.chi + kContent < chi;
+        const bool goes = better.plane != nullptr && better.chi + kContent < chi;
         if (!goes && chi < gate)
             continue;
         if (recorder.explains()) {
@@ -137,20 +139,19 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
                 recorder.decide(DecisionKind::Reject, {idOf(number, map), PlaneRef{owner}},
                                 {{"join_chi2", chi, Comparison::Less, gate}});
         }
+        changed.push_back(owner);
+        if (goes)
+            changed.push_back(better.plane->id);
         map.segment(number).owner = goes ? better.plane->id : kNoPlane;
-        moved = true;
     }
-    if (!moved)
-        return;
-    map.collectMembers(step);
-    for (PlaneTrack& plane : map.planes())
-        map.rebuild(plane, parameters);
+    for (PlaneTrack* plane : map.collectMembers(changed, step))
+        map.rebuild(*plane, parameters);
 }
 
 void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const int step = map.slice(map.slices() - 1).step;
-    int thinned = 0;
+    std::vector<PlaneId> thinned;
     for (PlaneTrack& plane : map.planes()) {
         const std::size_t before = plane.members.size();
         while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
@@ -170,11 +171,11 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
             if (!map.rebuild(plane, parameters))
                 break;
         }
-        thinned += plane.members.size() < before ? 1 : 0;
+        if (plane.members.size() < before)
+            thinned.push_back(plane.id);
     }
-    recorder.counts().splits += thinned;
-    if (thinned > 0)
-        map.collectMembers(step);
+    recorder.counts().splits += static_cast<int>(thinned.size());
+    map.collectMembers(thinned, step);
 }
 
 void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
@@ -212,10 +213,11 @@ void refineTracks(TrackMap& map, const Parameters& parameters)
 {
     const int step = map.slice(map.slices() - 1).step;
     for (PlaneTrack& plane : map.planes()) {
-        map.rebuild(plane, parameters);
+        if (plane.slicesUnsolved > 0 || plane.estimate.angleFromLinearisation() > kSettledAngle)
+            map.rebuild(plane, parameters);
+        const double gate = parameters.likelihood.finalGate;
         map.rebuild(plane, parameters.noise, 0.0, [&](SegmentNumber number) {
-            return map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor()) <
-                   parameters.likelihood.finalGate;
+            return map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor(), gate) < gate;
         });
         map.touch(plane, step);
     }

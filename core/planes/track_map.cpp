@@ -46,8 +46,14 @@ void TrackMap::append(const ScanSlice& slice, const SensorModel& sensor, std::sp
 
 PlaneTrack& TrackMap::plane(PlaneId id)
 {
-    return *std::lower_bound(planes_.begin(), planes_.end(), id,
-                             [](const PlaneTrack& plane, PlaneId wanted) { return plane.id < wanted; });
+    lastPlace_.resize(std::max(lastPlace_.size(), static_cast<std::size_t>(nextPlane_)), 0);
+    std::size_t& place = lastPlace_[static_cast<std::size_t>(id)];
+    if (place >= planes_.size() || planes_[place].id != id) {
+        const auto found = std::lower_bound(planes_.begin(), planes_.end(), id,
+                                            [](const PlaneTrack& plane, PlaneId wanted) { return plane.id < wanted; });
+        place = static_cast<std::size_t>(found - planes_.begin());
+    }
+    return planes_[place];
 }
 
 int TrackMap::neighbours(int place, int direction) const
@@ -90,9 +96,10 @@ const PlaneInSlice& TrackMap::seenIn(PlaneTrack& plane, int place)
 double TrackMap::incidence(SegmentNumber number, const PlaneEstimate& estimate) const
 {
     const TrackedSegment& s = segment(number);
-    const SliceFrame& frame = slice(s.slice).frame;
-    const Eigen::Vector3d ray = frame.pointAt(s.statistics.u, s.statistics.v) - frame.origin;
-    return std::abs(estimate.normal().dot(ray)) / ray.norm();
+    const double u = s.statistics.u;
+    const double v = s.statistics.v;
+    const double across = u * estimate.normal().x() + v * estimate.normal().dot(slice(s.slice).frame.ahead);
+    return std::abs(across) / std::sqrt(u * u + v * v);
 }
 
 double TrackMap::meanIncidence(const PlaneTrack& plane) const
@@ -174,27 +181,38 @@ void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, i
     }
 }
 
-void TrackMap::collectMembers(int step)
+std::vector<PlaneTrack*> TrackMap::collectMembers(std::span<const PlaneId> changed, int step)
 {
-    for (PlaneTrack& plane : planes_)
-        plane.members.clear();
-    for (SegmentNumber number = 0; number < segments(); ++number) {
-        if (segment(number).owner != kNoPlane)
-            plane(segment(number).owner).members.push_back(number);
+    if (changed.empty())
+        return {};
+    std::vector<PlaneTrack*> byId(static_cast<std::size_t>(nextPlane_), nullptr);
+    for (const PlaneId id : changed) {
+        PlaneTrack& of = plane(id);
+        byId[static_cast<std::size_t>(id)] = &of;
+        of.members.clear();
+        of.points = 0;
+        of.slices = 0;
+        of.lastSlice = -1;
     }
-    for (PlaneTrack& plane : planes_) {
-        plane.points = 0;
-        plane.slices = 0;
-        plane.lastSlice = -1;
-        for (const SegmentNumber number : plane.members) {
-            const TrackedSegment& s = segment(number);
-            plane.points += s.statistics.points;
-            plane.slices += s.slice != plane.lastSlice ? 1 : 0;
-            plane.lastSlice = s.slice;
-        }
-        touch(plane, step);
+    for (SegmentNumber number = 0; number < segments(); ++number) {
+        const TrackedSegment& s = segment(number);
+        PlaneTrack* of = s.owner == kNoPlane ? nullptr : byId[static_cast<std::size_t>(s.owner)];
+        if (of == nullptr)
+            continue;
+        of->members.push_back(number);
+        of->points += s.statistics.points;
+        of->slices += s.slice != of->lastSlice ? 1 : 0;
+        of->lastSlice = s.slice;
     }
     std::erase_if(planes_, [](const PlaneTrack& plane) { return plane.members.empty(); });
+    std::vector<PlaneTrack*> left;
+    for (PlaneTrack& plane : planes_) {
+        if (byId[static_cast<std::size_t>(plane.id)] == nullptr)
+            continue;
+        touch(plane, step);
+        left.push_back(&plane);
+    }
+    return left;
 }
 
 void TrackMap::dissolve(PlaneId id)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -98,11 +99,19 @@ public:
     /// The plane as it is seen in a slice.
     const PlaneInSlice& seenIn(PlaneTrack& plane, int place);
 
-    /// χ² of a segment against a plane.
-    double joinChi(PlaneTrack& plane, SegmentNumber number, const NoiseParameters& noise, double floor)
+    /// χ² of a segment against a plane; infinite where it is sure to reach the limit.
+    double joinChi(PlaneTrack& plane, SegmentNumber number, const NoiseParameters& noise, double floor,
+                   double limit = std::numeric_limits<double>::infinity())
     {
         const TrackedSegment& s = segment(number);
-        return plane.estimate.joinChi(seenIn(plane, s.slice), s.statistics, noise, floor);
+        return plane.estimate.joinChi(seenIn(plane, s.slice), s.statistics, noise, floor, limit);
+    }
+
+    /// Where a segment's centroid is in space [m].
+    Eigen::Vector3d centroid(SegmentNumber number) const
+    {
+        const TrackedSegment& s = segment(number);
+        return slice(s.slice).frame.pointAt(s.statistics.u, s.statistics.v);
     }
 
     /// Sine of the angle at which the ray to a segment's centroid meets a plane.
@@ -124,8 +133,9 @@ public:
     /// The same with all members and the floor of growing planes (`noise.systematic`).
     bool rebuild(PlaneTrack& plane, const Parameters& parameters);
 
-    /// Gives planes the segments that say they are theirs, after owners were changed; planes without any disappear.
-    void collectMembers(int step);
+    /// Gives these planes the segments that say they are theirs, after owners were changed; those without any
+    /// disappear. A plane may be named more than once. Returns those that are left, in order of id.
+    std::vector<PlaneTrack*> collectMembers(std::span<const PlaneId> changed, int step);
 
     /// Removes a plane and frees its segments.
     void dissolve(PlaneId id);
@@ -139,7 +149,8 @@ private:
 
     std::vector<TrackedSlice> slices_;
     std::vector<TrackedSegment> segments_;
-    std::vector<PlaneTrack> planes_;  // in order of id
+    std::vector<PlaneTrack> planes_;      // in order of id
+    std::vector<std::size_t> lastPlace_;  // where the plane of an id was among them when it was asked for last
     PlaneId nextPlane_ = 0;
     double bearingStep_ = 0.0;
     double firstBearing_ = 0.0;

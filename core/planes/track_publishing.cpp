@@ -64,8 +64,10 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
         const auto end = [&](double along, Eigen::Vector3d& point, Eigen::Matrix3d& covariance) {
             const double u = s.u + along * s.directionU;
             const double v = s.v + along * s.directionV;
+            const double range = std::sqrt(u * u + v * v);
             point = slice.frame.pointAt(u, v);
-            covariance = cartesianCovariance(std::hypot(u, v), std::atan2(v, u), slice.frame.tilt, sensor, noise);
+            const BeamDirection beam{v / range, u / range, slice.frame.ahead.y(), -slice.frame.ahead.z()};
+            covariance = cartesianCovariance(range, beam, sensor, noise);
         };
         end(s.start, segment.start, segment.startCovariance);
         end(s.end, segment.end, segment.endCovariance);
