@@ -31,8 +31,10 @@ void BeamPoints::dropMissing(int beams)
 {
     constexpr std::uint8_t kEcho = 0;
     constexpr std::uint8_t kMissing = 1;
-    for (std::size_t i = 0; i < at(beams); ++i)  // the marks are free until gaps are looked for
-        marks_[i] = range_[i] > 0.0F ? kEcho : kMissing;
+    std::uint8_t* __restrict marks = marks_.data();  // free until gaps are looked for
+    const float* __restrict ranges = range_.data();
+    for (int i = 0; i < beams; ++i)
+        marks[i] = ranges[i] > 0.0F ? kEcho : kMissing;
     const auto next = [&](int from, std::uint8_t kind) {
         const void* found = from < beams ? std::memchr(marks_.data() + from, kind, at(beams - from)) : nullptr;
         return found == nullptr ? beams : static_cast<int>(static_cast<const std::uint8_t*>(found) - marks_.data());

@@ -20,8 +20,6 @@ constexpr int kTrimmedPoints = 2;
 constexpr double kTrimSigmas = 2.5;
 /// A single weight serves a segment whose ranges differ by less than this factor.
 constexpr double kOneWeightRatio = 1.6;
-/// χ² with two degrees of freedom that the common line of two pieces may cost: 99.9 %.
-constexpr double kCommonLine = 13.8;
 
 }  // namespace
 
@@ -88,9 +86,7 @@ bool StatisticsExtractor::belongTogether(const LinePiece& left, const LinePiece&
     together.moments.add(right.moments);
     together.clipped = left.clipped || right.clipped || right.first != left.last + 1;
     fitLine(together, parameters.noise);
-    const double apart = left.line.across + right.line.across;
-    return together.line.across - apart < kCommonLine * together.variance &&
-           together.line.across < together.variance * largestChi(together.moments.count);
+    return isOneLine(together, left.line.across + right.line.across);
 }
 
 SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, const NoiseParameters& noise) const

@@ -69,4 +69,15 @@ inline double largestChi(double points)
     return freedom + 3.0 * std::sqrt(2.0 * freedom);
 }
 
+/// χ² with two degrees of freedom that the common line of two pieces may cost: 99.9 %.
+inline constexpr double kCommonLine = 13.8;
+
+/// True where the line of a piece explains all of its points, and its two parts no worse than a line each, whose sums
+/// of squares are `apart` [m²] together.
+inline bool isOneLine(const LinePiece& piece, double apart)
+{
+    return piece.line.across - apart < kCommonLine * piece.variance &&
+           piece.line.across < piece.variance * largestChi(piece.moments.count);
+}
+
 }  // namespace planewright

@@ -18,6 +18,8 @@ constexpr int kDeepestDivision = 48;
 constexpr double kDivisionGain = 25.0;
 constexpr int kDivisionsTried = 16;
 constexpr int kDeepestBend = 4;
+/// A division is doubtful where its squared deviation is less than so many times the limit.
+constexpr float kDoubtful = 4.0F;
 
 }  // namespace
 
@@ -38,6 +40,15 @@ std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shorte
     return straight_;
 }
 
+/// True where a point is beyond the limit by so little that noise may be the reason.
+bool StraightPieces::isDoubtful(const Open& open, int division, const DeviationLimits& limits) const
+{
+    const ChordF chord = points_->chordOf(open.first, open.last);
+    const DeviationLimits doubled{kDoubtful * limits.fixedSquared, kDoubtful * limits.sigmasSquared,
+                                  limits.bearingVariance};
+    return points_->kernels().farthest(points_->arrays(), division, division, chord, doubled) < 0;
+}
+
 /// Splits a run at the points farthest from its chords, and settles the borders between the pieces.
 void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
 {
@@ -53,19 +64,34 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
         return points_->kernels().farthest(points, open.first + 1, open.last - 1, chord, limits);
     };
 
+    // A point far from the chord may be a stranger, or the chord's ends are: one line may explain all the same.
+    const auto isStraight = [&](const Open& open, int division, LinePiece& piece) {
+        if (open.last - open.first + 1 < 2 * shortest_ || !isDoubtful(open, division, limits))
+            return false;
+        const LineMoments left = points_->momentsOf(open.first, division);
+        const LineMoments right = points_->momentsOf(division + 1, open.last);
+        piece.moments = left;
+        piece.moments.add(right);
+        fitLine(piece, parameters.noise);
+        return isOneLine(piece, lineOf(left).across + lineOf(right).across);
+    };
+
     const std::size_t begin = pieces_.size();
     open_.clear();
     open_.push_back({first, last, 0});
     while (!open_.empty()) {
         const Open open = open_.back();
         open_.pop_back();
+        // Neighbours share their point of division; it belongs to the left one until the border is settled.
+        const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
+        const int start = shared ? open.first + 1 : open.first;
         int division = divisionOf(open);
-        if (division < 0) {
-            // Neighbours share their point of division; it belongs to the left one until the border is settled.
-            const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
-            const int start = shared ? open.first + 1 : open.first;
-            if (open.last - start + 1 >= shortest_)
-                pieces_.push_back(pieceOf(start, open.last));
+        LinePiece piece{start, open.last, {}, false, {}, 0.0};
+        if (division < 0 || isStraight({start, open.last, 0}, division, piece)) {
+            if (division < 0 && piece.points() >= shortest_)
+                piece.moments = points_->momentsOf(start, open.last);
+            if (piece.points() >= shortest_)
+                pieces_.push_back(piece);
             continue;
         }
         if (open.depth >= kDeepestDivision)
