@@ -107,8 +107,8 @@ public:
     double mergeChi(const PlaneEstimate& other, double floor, double extent) const;
 
 private:
-    double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
-                 double floor, double limit, bool withOwnVariance) const;
+    double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise, double floor,
+                 double limit, bool withOwnVariance) const;
 
     Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();  // the estimate
     double distance_ = 0.0;

@@ -37,6 +37,12 @@ PLANEWRIGHT_BODY int placeBody(const double* __restrict ranges, const Number* __
     return inside;
 }
 
+PLANEWRIGHT_BODY void markMissingBody(const float* __restrict range, int beams, std::uint8_t* __restrict marks)
+{
+    for (int i = 0; i < beams; ++i)
+        marks[i] = range[i] > 0.0F ? 0 : 1;
+}
+
 template <class Number>
 PLANEWRIGHT_BODY void markGapsBody(const BeamArraysOf<Number>& points, const Number* __restrict range, int count,
                                    Number gapPerRange, Number sigmas, std::uint8_t* __restrict marks)
@@ -222,6 +228,10 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
         return placeBody(ranges, cosine, sine, beams, rangeMin, rangeMax, constantVariance, proportionalVariance,      \
                          range, u, v, relativeVariance);                                                               \
     }                                                                                                                  \
+    TARGET void markMissing##KIND(const float* range, int beams, std::uint8_t* marks)                                  \
+    {                                                                                                                  \
+        markMissingBody(range, beams, marks);                                                                          \
+    }                                                                                                                  \
     TARGET void markGaps##KIND(const BeamArrays& points, const float* range, int count, float gapPerRange,             \
                                float sigmas, std::uint8_t* marks)                                                      \
     {                                                                                                                  \
@@ -251,9 +261,9 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     {                                                                                                                  \
         return weightedSumsBody(points, first, last, chord, model);                                                    \
     }                                                                                                                  \
-    constexpr BeamKernels k##KIND{                                                                                     \
-        #KIND,          place##KIND,           placeExactly##KIND, markGaps##KIND,    markGapsExactly##KIND,           \
-        farthest##KIND, farthestExactly##KIND, sums##KIND,         weightedSums##KIND};
+    constexpr BeamKernels k##KIND{#KIND,          place##KIND,           placeExactly##KIND, markMissing##KIND,        \
+                                  markGaps##KIND, markGapsExactly##KIND, farthest##KIND,     farthestExactly##KIND,    \
+                                  sums##KIND,     weightedSums##KIND};
 // NOLINTEND(bugprone-macro-parentheses)
 
 PLANEWRIGHT_KERNELS(Baseline, )

@@ -71,6 +71,9 @@ struct BeamKernels {
                         double rangeMax, double constantVariance, double proportionalVariance, double* range, double* u,
                         double* v, double* relativeVariance);
 
+    /// Marks with 1 each beam whose range is 0, and with 0 each other one.
+    void (*markMissing)(const float* range, int beams, std::uint8_t* marks);
+
     /// Marks with 1 each point i in 1 … count − 1 that is farther from its predecessor than D_o of Eq. (3): gapPerRange
     /// times range, plus `sigmas` standard deviations of a range. Mark 0 is 1.
     void (*markGaps)(const BeamArrays& points, const float* range, int count, float gapPerRange, float sigmas,

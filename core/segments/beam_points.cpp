@@ -31,10 +31,7 @@ void BeamPoints::dropMissing(int beams)
 {
     constexpr std::uint8_t kEcho = 0;
     constexpr std::uint8_t kMissing = 1;
-    std::uint8_t* __restrict marks = marks_.data();  // free until gaps are looked for
-    const float* __restrict ranges = range_.data();
-    for (int i = 0; i < beams; ++i)
-        marks[i] = ranges[i] > 0.0F ? kEcho : kMissing;
+    kernels_->markMissing(range_.data(), beams, marks_.data());  // which are free until gaps are looked for
     const auto next = [&](int from, std::uint8_t kind) {
         const void* found = from < beams ? std::memchr(marks_.data() + from, kind, at(beams - from)) : nullptr;
         return found == nullptr ? beams : static_cast<int>(static_cast<const std::uint8_t*>(found) - marks_.data());
