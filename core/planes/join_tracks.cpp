@@ -89,13 +89,14 @@ void explain(SegmentNumber number, const Candidate& best, const TrackMap& map, S
 
 }  // namespace
 
-std::vector<SegmentNumber> joinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+const std::vector<SegmentNumber>& joinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const int place = map.slices() - 1;
     const int back = map.lookback(place);
     const TrackedSlice& slice = map.slice(place);
-    std::vector<std::pair<PlaneId, SegmentNumber>> joined;
-    std::vector<SegmentNumber> left;
+    auto& [joined, together, left] = map.joining;
+    joined.clear();
+    left.clear();
     for (SegmentNumber number = slice.first; number < slice.end; ++number) {
         Candidate best;
         if (place > 0)
@@ -109,13 +110,12 @@ std::vector<SegmentNumber> joinTracks(TrackMap& map, const Parameters& parameter
             joined.emplace_back(best.plane->id, number);
     }
     // The segments of a plane join it together: they share the slice's pitch error.
-    std::stable_sort(joined.begin(), joined.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<SegmentNumber> together;
-    for (std::size_t i = 0; i < joined.size();) {
-        const PlaneId id = joined[i].first;
+    std::sort(joined.begin(), joined.end());
+    for (auto next = joined.cbegin(); next != joined.cend();) {
+        const PlaneId id = next->first;
         together.clear();
-        for (; i < joined.size() && joined[i].first == id; ++i)
-            together.push_back(joined[i].second);
+        for (; next != joined.cend() && next->first == id; ++next)
+            together.push_back(next->second);
         map.join(map.plane(id), together, slice.step, parameters);
     }
     return left;

@@ -98,6 +98,14 @@ PlaneEstimate::PlaneEstimate(const Eigen::Vector3d& normal, double distance)
 {
 }
 
+PlaneEstimate PlaneEstimate::afresh() const
+{
+    PlaneEstimate estimate(normal_, distance_);
+    estimate.covariance_ = covariance_;
+    estimate.normalVariance_ = normalVariance_;
+    return estimate;
+}
+
 PlaneInSlice PlaneEstimate::inSlice(const SliceFrame& frame) const
 {
     PlaneInSlice seen;
@@ -225,13 +233,6 @@ double PlaneEstimate::chiOf(const PlaneInSlice& seen, const SegmentStatistics& s
     }
     return (slope * distance * distance - 2.0 * both * distance * inclination + place * inclination * inclination) /
            (place * slope - both * both);
-}
-
-bool PlaneEstimate::mayMeet(const Eigen::Vector3d& centroid, double variance, double limit) const
-{
-    const double own = (1.0 + centroid.squaredNorm()) * covariance_.trace();
-    const double distance = normal_.dot(centroid) - distance_;
-    return distance * distance < limit * (variance + own);
 }
 
 PitchEvidence PlaneEstimate::pitchEvidence(const PlaneInSlice& seen, const SegmentStatistics& segment,

@@ -74,6 +74,9 @@ public:
     /// How far the estimate is from where it was linearised [rad].
     double angleFromLinearisation() const { return step_.head<2>().norm(); }
 
+    /// The same plane with the same covariance, linearised where it is, without the segments that told.
+    PlaneEstimate afresh() const;
+
     PlaneInSlice inSlice(const SliceFrame& frame) const;
 
     /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together. A floor [m] is what a segment
@@ -92,7 +95,12 @@ public:
 
     /// False where joinChi is sure to reach the limit, by the distance of a segment's centroid [m] to this plane alone;
     /// `variance` is the segment's mostVariance() [m²].
-    bool mayMeet(const Eigen::Vector3d& centroid, double variance, double limit) const;
+    bool mayMeet(const Eigen::Vector3d& centroid, double variance, double limit) const
+    {
+        const double own = (1.0 + centroid.squaredNorm()) * covariance_.trace();
+        const double distance = normal_.dot(centroid) - distance_;
+        return distance * distance < limit * (variance + own);
+    }
 
     /// The same without the plane's own variance: for a segment that is already in it.
     double residualChi(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,

@@ -216,9 +216,11 @@ void refineTracks(TrackMap& map, const Parameters& parameters)
         if (plane.slicesUnsolved > 0 || plane.estimate.angleFromLinearisation() > kSettledAngle)
             map.rebuild(plane, parameters);
         const double gate = parameters.likelihood.finalGate;
-        map.rebuild(plane, parameters.noise, 0.0, [&](SegmentNumber number) {
-            return map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor(), gate) < gate;
-        });
+        const double floor = parameters.flatnessFloor();
+        const auto fits = [&](const PlaneEstimate& before, const PlaneInSlice& seen, const SegmentStatistics& segment) {
+            return before.joinChi(seen, segment, parameters.noise, floor, gate) < gate;
+        };
+        map.rebuild(plane, parameters.noise, 0.0, fits);
         map.touch(plane, step);
     }
 }

@@ -119,7 +119,8 @@ void TrackMap::touch(PlaneTrack& plane, int step)
 
 bool TrackMap::rebuild(PlaneTrack& plane, const Parameters& parameters)
 {
-    return rebuild(plane, parameters.noise, parameters.noise.systematic, [](SegmentNumber) { return true; });
+    const auto all = [](const PlaneEstimate&, const PlaneInSlice&, const SegmentStatistics&) { return true; };
+    return rebuild(plane, parameters.noise, parameters.noise.systematic, all);
 }
 
 PlaneTrack* TrackMap::makePlane(std::vector<SegmentNumber> members, const PlaneEstimate& start, int step,
@@ -152,11 +153,13 @@ void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, i
 {
     const int place = segment(numbers.front()).slice;
     const PlaneInSlice& seen = seenIn(plane, place);
-    const auto ofSlice = [&](SegmentNumber number, int wanted) { return segment(number).slice < wanted; };
-    const auto begin = std::lower_bound(plane.members.begin(), plane.members.end(), place, ofSlice);
+    const auto isLater = [&](int wanted, SegmentNumber number) { return wanted < segment(number).slice; };
+    auto end = plane.members.end();
+    if (isLater(place, plane.members.back()))
+        end = std::upper_bound(plane.members.begin(), end, place, isLater);
     group_.clear();
-    for (auto member = begin; member != plane.members.end() && segment(*member).slice == place; ++member)
-        group_.push_back(&segment(*member).statistics);
+    for (auto member = end; member != plane.members.begin() && segment(*(member - 1)).slice == place; --member)
+        group_.push_back(&segment(*(member - 1)).statistics);
     // Segments of one slice share its pitch error: those that are in already are taken out and put back with the new.
     if (!group_.empty())
         plane.estimate.accumulate(seen, group_, parameters.noise, parameters.noise.systematic, -1.0);
@@ -167,7 +170,10 @@ void TrackMap::join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, i
         segment(number).owner = plane.id;
         plane.points += segment(number).statistics.points;
         ++plane.fitted;
-        plane.members.insert(std::upper_bound(plane.members.begin(), plane.members.end(), number), number);
+        if (plane.members.back() < number)
+            plane.members.push_back(number);
+        else
+            plane.members.insert(std::upper_bound(plane.members.begin(), plane.members.end(), number), number);
     }
     plane.estimate.accumulate(seen, group_, parameters.noise, parameters.noise.systematic, 1.0);
     plane.lastSlice = std::max(plane.lastSlice, place);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/clusters/direction_clusters.h"
@@ -127,7 +128,8 @@ public:
     void join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, int step, const Parameters& parameters);
 
     /// Works the plane out anew from its members, linearised where it is now, with a floor [m] of what a segment may be
-    /// off as a whole. Members for which `counts` does not hold take no part in the fit.
+    /// off as a whole. Members for which `counts(estimate, seen, statistics)` does not hold take no part in the fit; it
+    /// is given the plane as it is before, and how it is seen in the member's slice.
     template <class Counts>
     bool rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts);
     /// The same with all members and the floor of growing planes (`noise.systematic`).
@@ -143,6 +145,14 @@ public:
     void touch(PlaneTrack& plane, int step);
 
     DirectionClusters clusters;
+
+    /// Storage of the stage that gives segments to planes, kept from slice to slice.
+    struct Joining {
+        std::vector<std::pair<PlaneId, SegmentNumber>> joined;
+        std::vector<SegmentNumber> together;  ///< those of one plane
+        std::vector<SegmentNumber> left;      ///< those of none
+    };
+    Joining joining;
 
 private:
     int neighbours(int place, int direction) const;
@@ -162,17 +172,19 @@ template <class Counts>
 bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts)
 {
     PlaneEstimate estimate(plane.estimate.normal(), plane.estimate.distance());
+    const PlaneEstimate before = plane.estimate.afresh();
     int fitted = 0;
     for (std::size_t i = 0; i < plane.members.size();) {
         const int place = segment(plane.members[i]).slice;
+        const PlaneInSlice seen = estimate.inSlice(slice(place).frame);
         group_.clear();
         for (; i < plane.members.size() && segment(plane.members[i]).slice == place; ++i) {
-            if (counts(plane.members[i]))
-                group_.push_back(&segment(plane.members[i]).statistics);
+            const SegmentStatistics& statistics = segment(plane.members[i]).statistics;
+            if (counts(before, seen, statistics))
+                group_.push_back(&statistics);
         }
         fitted += static_cast<int>(group_.size());
-        if (!group_.empty())
-            estimate.accumulate(estimate.inSlice(slice(place).frame), group_, noise, floor, 1.0);
+        estimate.accumulate(seen, group_, noise, floor, 1.0);
     }
     if (!estimate.solve())
         return false;

@@ -13,8 +13,9 @@ namespace planewright {
 inline constexpr int kOverlapMargin = 3;
 
 /// Gives each segment of the newest slice to the plane that it fits best (section 4.1.4, Table III): of the planes of
-/// the segments it faces in the slices before, or else of the well-known planes seen lately. Returns those left over.
-std::vector<SegmentNumber> joinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+/// the segments it faces in the slices before, or else of the well-known planes seen lately. Returns those left over,
+/// which the map keeps until the next slice.
+const std::vector<SegmentNumber>& joinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 
 /// Makes planes of segments that belong to none, of slices from `firstSlice` on (section 4.3, Table V): three segments
 /// that face each other in three slices suggest a plane; the best supported come first and grow over the segments that
