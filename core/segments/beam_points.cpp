@@ -156,9 +156,8 @@ ChordF BeamPoints::chordOf(int first, int last) const
     return chord;
 }
 
-LineMoments BeamPoints::momentsOf(int first, int last) const
+LineMoments BeamPoints::momentsOf(int first, int last, const ChordF& chord) const
 {
-    const ChordF chord = chordOf(first, last);
     const ChordSums sums = kernels_->sums(arrays(), first, last, chord);
     const auto n = static_cast<double>(sums.weight);
     const double t = static_cast<double>(sums.t) / n;

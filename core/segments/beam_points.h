@@ -44,8 +44,8 @@ public:
 
     /// The chord from one point to another.
     ChordF chordOf(int first, int last) const;
-    /// Moments of the points [first, last].
-    LineMoments momentsOf(int first, int last) const;
+    /// Moments of the points [first, last], summed up in the frame of a chord near them.
+    LineMoments momentsOf(int first, int last, const ChordF& chord) const;
 
 private:
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }

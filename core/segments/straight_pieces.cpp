@@ -19,7 +19,7 @@ constexpr double kDivisionGain = 25.0;
 constexpr int kDivisionsTried = 16;
 constexpr int kDeepestBend = 4;
 /// A division is doubtful where its squared deviation is less than so many times the limit.
-constexpr float kDoubtful = 4.0F;
+constexpr double kDoubtful = 4.0;
 
 }  // namespace
 
@@ -40,13 +40,29 @@ std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shorte
     return straight_;
 }
 
-/// True where a point is beyond the limit by so little that noise may be the reason.
-bool StraightPieces::isDoubtful(const Open& open, int division, const DeviationLimits& limits) const
+/// True where one line explains points that a chord would divide: the point far from it may be a stranger, or the
+/// chord's ends are. The piece is given its moments.
+bool StraightPieces::isStraight(LinePiece& piece, const ChordF& chord, int division, const Parameters& parameters) const
 {
-    const ChordF chord = points_->chordOf(open.first, open.last);
-    const DeviationLimits doubled{kDoubtful * limits.fixedSquared, kDoubtful * limits.sigmasSquared,
-                                  limits.bearingVariance};
-    return points_->kernels().farthest(points_->arrays(), division, division, chord, doubled) < 0;
+    if (piece.points() < 2 * shortest_)
+        return false;
+    const double u = points_->u(division);
+    const double v = points_->v(division);
+    const auto normalU = static_cast<double>(-chord.directionV);
+    const auto normalV = static_cast<double>(chord.directionU);
+    const double deviation =
+        normalU * (u - static_cast<double>(chord.u)) + normalV * (v - static_cast<double>(chord.v));
+    const double variance = varianceAcross(normalU, normalV, u, v, parameters.noise);
+    const double limit =
+        std::max(square(parameters.segments.splitDistance), square(parameters.segments.splitSigmas) * variance);
+    if (square(deviation) > kDoubtful * limit)
+        return false;
+    const LineMoments left = points_->momentsOf(piece.first, division, chord);
+    const LineMoments right = points_->momentsOf(division + 1, piece.last, chord);
+    piece.moments = left;
+    piece.moments.add(right);
+    fitLine(piece, parameters.noise);
+    return isOneLine(piece, lineOf(left).across + lineOf(right).across);
 }
 
 /// Splits a run at the points farthest from its chords, and settles the borders between the pieces.
@@ -57,24 +73,6 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
     const auto bearing = static_cast<float>(square(parameters.noise.bearing));
     const DeviationLimits limits{fixed, sigmas, bearing};
     const BeamArrays points = points_->arrays();
-    const auto divisionOf = [&](const Open& open) {
-        if (open.last - open.first < 2)
-            return -1;
-        const ChordF chord = points_->chordOf(open.first, open.last);
-        return points_->kernels().farthest(points, open.first + 1, open.last - 1, chord, limits);
-    };
-
-    // A point far from the chord may be a stranger, or the chord's ends are: one line may explain all the same.
-    const auto isStraight = [&](const Open& open, int division, LinePiece& piece) {
-        if (open.last - open.first + 1 < 2 * shortest_ || !isDoubtful(open, division, limits))
-            return false;
-        const LineMoments left = points_->momentsOf(open.first, division);
-        const LineMoments right = points_->momentsOf(division + 1, open.last);
-        piece.moments = left;
-        piece.moments.add(right);
-        fitLine(piece, parameters.noise);
-        return isOneLine(piece, lineOf(left).across + lineOf(right).across);
-    };
 
     const std::size_t begin = pieces_.size();
     open_.clear();
@@ -84,14 +82,20 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
         open_.pop_back();
         // Neighbours share their point of division; it belongs to the left one until the border is settled.
         const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
-        const int start = shared ? open.first + 1 : open.first;
-        int division = divisionOf(open);
-        LinePiece piece{start, open.last, {}, false, {}, 0.0};
-        if (division < 0 || isStraight({start, open.last, 0}, division, piece)) {
-            if (division < 0 && piece.points() >= shortest_)
-                piece.moments = points_->momentsOf(start, open.last);
-            if (piece.points() >= shortest_)
-                pieces_.push_back(piece);
+        LinePiece piece;
+        piece.first = shared ? open.first + 1 : open.first;
+        piece.last = open.last;
+        if (piece.points() < shortest_)
+            continue;
+        const ChordF chord = points_->chordOf(open.first, open.last);
+        int division = points_->kernels().farthest(points, open.first + 1, open.last - 1, chord, limits);
+        if (division < 0) {
+            piece.moments = points_->momentsOf(piece.first, piece.last, chord);
+            pieces_.push_back(piece);
+            continue;
+        }
+        if (isStraight(piece, chord, division, parameters)) {
+            pieces_.push_back(piece);
             continue;
         }
         if (open.depth >= kDeepestDivision)
@@ -108,7 +112,7 @@ LinePiece StraightPieces::pieceOf(int first, int last) const
     LinePiece piece;
     piece.first = first;
     piece.last = last;
-    piece.moments = points_->momentsOf(first, last);
+    piece.moments = points_->momentsOf(first, last, points_->chordOf(first, last));
     return piece;
 }
 

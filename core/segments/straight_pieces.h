@@ -29,7 +29,7 @@ private:
         int depth = 0;
     };
 
-    bool isDoubtful(const Open& open, int division, const DeviationLimits& limits) const;
+    bool isStraight(LinePiece& piece, const ChordF& chord, int division, const Parameters& parameters) const;
     void splitRun(int first, int last, const Parameters& parameters);
     LinePiece pieceOf(int first, int last) const;
     LineMoments fewPoints(int first, int last) const;
