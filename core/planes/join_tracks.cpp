@@ -36,11 +36,10 @@ void consider(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const Para
 void considerNeighbours(SegmentNumber number, int from, int to, TrackMap& map, const Parameters& parameters,
                         Candidate& best)
 {
-    const int first = map.firstBeam(number);
-    const int last = map.lastBeam(number);
+    const BeamSpan beams = map.beams(number);
     const int step = to < from ? -1 : 1;
     for (int place = from; place != to + step; place += step) {
-        map.visitOverlaps(place, first, last, kOverlapMargin, [&](SegmentNumber other) {
+        map.visitOverlaps(place, beams, kOverlapMargin, [&](SegmentNumber other) {
             const PlaneId owner = map.segment(other).owner;
             if (owner != kNoPlane)
                 consider(map.plane(owner), number, map, parameters, parameters.flatnessFloor(),

@@ -25,7 +25,7 @@ bool sideBySide(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map)
         const int place = map.segment(number).slice;
         for (int other = place - map.lookback(place); other <= place + map.lookahead(place); ++other) {
             bool found = false;
-            map.visitOverlaps(other, map.firstBeam(number), map.lastBeam(number), kSideMargin,
+            map.visitOverlaps(other, map.beams(number), kSideMargin,
                               [&](SegmentNumber s) { found = found || map.segment(s).owner == b.id; });
             if (found)
                 return true;

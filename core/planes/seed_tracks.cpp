@@ -27,6 +27,8 @@ constexpr int kMostSlicesBack = 64;
 constexpr int kEmptySlices = 3;
 /// Segments whose centroids are farther than this from the plane of the two others are no triple [m].
 constexpr double kRoughlyCoplanar = 0.08;
+/// χ² of segments, in those that a plane of them may have, beyond which linearising it anew does not help.
+constexpr double kHopeless = 4.0;
 /// Sine of the angle at which rays must meet a plane at least; a slice's own plane is none.
 constexpr double kGrazing = 0.02;
 /// By how many standard deviations of its normal a plane must be met by the rays.
@@ -71,7 +73,7 @@ bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, co
             estimate.accumulate(estimate.inSlice(map.slice(s.slice).frame), std::span{&one, 1}, parameters.noise, 0.0,
                                 1.0);
         }
-        if (!estimate.solve())
+        if (!estimate.solve() || estimate.chi() > kHopeless * parameters.likelihood.seedGate)
             return false;
         if (estimate.angleFromLinearisation() < 0.02)
             break;
@@ -94,7 +96,7 @@ void visitFree(int place, SegmentNumber facing, const TrackMap& map, Visit visit
 {
     if (place < 0 || place >= map.slices())
         return;
-    map.visitOverlaps(place, map.firstBeam(facing), map.lastBeam(facing), kOverlapMargin, [&](SegmentNumber number) {
+    map.visitOverlaps(place, map.beams(facing), kOverlapMargin, [&](SegmentNumber number) {
         if (map.segment(number).owner == kNoPlane)
             visit(number);
     });
@@ -169,7 +171,7 @@ bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Pa
             continue;
         bool faces = false;
         for (int near = 1; near <= reach && !faces; ++near) {
-            map.visitOverlaps(place + near * towards, map.firstBeam(number), map.lastBeam(number), kOverlapMargin,
+            map.visitOverlaps(place + near * towards, map.beams(number), kOverlapMargin,
                               [&](SegmentNumber facing) { faces = faces || map.segment(facing).owner == plane.id; });
         }
         const double gate = parameters.likelihood.joinGate;
@@ -228,12 +230,12 @@ double parallelChi(const PlaneEstimate& estimate, const TrackMap& map, const Par
 void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parameters,
              std::vector<PairHypothesis>& hypotheses)
 {
-    const int from = map.firstBeam(number);
-    const int to = map.lastBeam(number);
+    const BeamSpan& own = map.beams(number);
     const double fewest = std::min(kPairPoints, kPairAngle / map.bearingStep());
     visitFree(map.segment(number).slice - 1, number, map, [&](SegmentNumber other) {
-        const int shared = std::min(to, map.lastBeam(other)) - std::max(from, map.firstBeam(other)) + 1;
-        const int shorter = std::min(to - from, map.lastBeam(other) - map.firstBeam(other)) + 1;
+        const BeamSpan& others = map.beams(other);
+        const int shared = std::min(own.last, others.last) - std::max(own.first, others.first) + 1;
+        const int shorter = std::min(own.last - own.first, others.last - others.first) + 1;
         if (2 * shared < shorter ||
             map.segment(other).statistics.points + map.segment(number).statistics.points < fewest)
             return;

@@ -34,7 +34,7 @@ Better bestAround(SegmentNumber number, TrackMap& map, const Parameters& paramet
     const TrackedSegment& s = map.segment(number);
     Better best{nullptr, parameters.likelihood.joinGate};
     for (int place = s.slice - map.lookback(s.slice); place <= s.slice + map.lookahead(s.slice); ++place) {
-        map.visitOverlaps(place, map.firstBeam(number), map.lastBeam(number), kOverlapMargin, [&](SegmentNumber other) {
+        map.visitOverlaps(place, map.beams(number), kOverlapMargin, [&](SegmentNumber other) {
             const PlaneId owner = map.segment(other).owner;
             if (owner == kNoPlane || owner == s.owner || (best.plane != nullptr && best.plane->id == owner))
                 return;

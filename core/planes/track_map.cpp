@@ -32,28 +32,27 @@ void TrackMap::append(const ScanSlice& slice, const SensorModel& sensor, std::sp
     tracked.frame = frameOf(slice.tiltAt(slice.ranges.size() / 2), sensor);
     tracked.first = this->segments();
     tracked.end = tracked.first + static_cast<SegmentNumber>(segments.size());
+    int beamShift = 0;
     if (slices_.empty()) {
         bearingStep_ = slice.bearingStep;
         firstBearing_ = slice.firstBearing;
     } else {
         tiltTravelled_ += std::abs(tracked.frame.tilt - slices_.back().frame.tilt);
-        tracked.beamShift = static_cast<int>(std::lround((slice.firstBearing - firstBearing_) / bearingStep_));
+        beamShift = static_cast<int>(std::lround((slice.firstBearing - firstBearing_) / bearingStep_));
     }
-    for (const SegmentStatistics& statistics : segments)
+    for (const SegmentStatistics& statistics : segments) {
         segments_.push_back({statistics, slices(), kNoPlane});
+        beams_.push_back({statistics.firstBeam + beamShift, statistics.lastBeam + beamShift});
+    }
     slices_.push_back(tracked);
 }
 
-PlaneTrack& TrackMap::plane(PlaneId id)
+PlaneTrack& TrackMap::findPlane(PlaneId id)
 {
-    lastPlace_.resize(std::max(lastPlace_.size(), static_cast<std::size_t>(nextPlane_)), 0);
-    std::size_t& place = lastPlace_[static_cast<std::size_t>(id)];
-    if (place >= planes_.size() || planes_[place].id != id) {
-        const auto found = std::lower_bound(planes_.begin(), planes_.end(), id,
-                                            [](const PlaneTrack& plane, PlaneId wanted) { return plane.id < wanted; });
-        place = static_cast<std::size_t>(found - planes_.begin());
-    }
-    return planes_[place];
+    const auto found = std::lower_bound(planes_.begin(), planes_.end(), id,
+                                        [](const PlaneTrack& plane, PlaneId wanted) { return plane.id < wanted; });
+    lastPlace_[static_cast<std::size_t>(id)] = static_cast<std::size_t>(found - planes_.begin());
+    return *found;
 }
 
 int TrackMap::neighbours(int place, int direction) const
@@ -70,18 +69,6 @@ int TrackMap::neighbours(int place, int direction) const
 double TrackMap::meanTiltStep() const
 {
     return slices_.size() < 2 ? 0.0 : tiltTravelled_ / static_cast<double>(slices_.size() - 1);
-}
-
-int TrackMap::firstBeam(SegmentNumber number) const
-{
-    const TrackedSegment& s = segment(number);
-    return s.statistics.firstBeam + slice(s.slice).beamShift;
-}
-
-int TrackMap::lastBeam(SegmentNumber number) const
-{
-    const TrackedSegment& s = segment(number);
-    return s.statistics.lastBeam + slice(s.slice).beamShift;
 }
 
 const PlaneInSlice& TrackMap::seenIn(PlaneTrack& plane, int place)
@@ -145,6 +132,7 @@ PlaneTrack* TrackMap::makePlane(std::vector<SegmentNumber> members, const PlaneE
     ++nextPlane_;
     for (const SegmentNumber number : plane.members)
         segment(number).owner = plane.id;
+    lastPlace_.push_back(planes_.size());
     planes_.push_back(std::move(plane));
     return &planes_.back();
 }

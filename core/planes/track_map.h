@@ -23,7 +23,12 @@ struct TrackedSlice {
     SliceFrame frame;
     SegmentNumber first = 0;  ///< its segments are [first, end)
     SegmentNumber end = 0;
-    int beamShift = 0;  ///< what makes its beams those of the first slice: interlaced scanners start elsewhere
+};
+
+/// First and last beam of a segment among those of the scan's first slice: interlaced scanners start elsewhere.
+struct BeamSpan {
+    int first = 0;
+    int last = 0;
 };
 
 /// A line segment as planes are made of it.
@@ -69,7 +74,11 @@ public:
 
     std::vector<PlaneTrack>& planes() { return planes_; }
     const std::vector<PlaneTrack>& planes() const { return planes_; }
-    PlaneTrack& plane(PlaneId id);
+    PlaneTrack& plane(PlaneId id)
+    {
+        const std::size_t place = lastPlace_[static_cast<std::size_t>(id)];
+        return place < planes_.size() && planes_[place].id == id ? planes_[place] : findPlane(id);
+    }
 
     /// How many slices back, and how many ahead, count as next to a slice: two, or those within a degree and a half.
     int lookback(int place) const { return neighbours(place, -1); }
@@ -78,20 +87,18 @@ public:
     double meanTiltStep() const;
     double bearingStep() const { return bearingStep_; }
 
-    /// First and last beam of a segment among those of the first slice.
-    int firstBeam(SegmentNumber number) const;
-    int lastBeam(SegmentNumber number) const;
+    const BeamSpan& beams(SegmentNumber number) const { return beams_[static_cast<std::size_t>(number)]; }
 
-    /// Calls `visit(SegmentNumber)` for each segment of a slice that overlaps beams [first, last] within a margin.
+    /// Calls `visit(SegmentNumber)` for each segment of a slice that overlaps these beams within a margin.
     template <class Visit>
-    void visitOverlaps(int place, int first, int last, int margin, Visit visit) const
+    void visitOverlaps(int place, const BeamSpan& beams, int margin, Visit visit) const
     {
         const TrackedSlice& at = slice(place);
         for (SegmentNumber i = at.first; i < at.end; ++i) {
-            const SegmentStatistics& s = segments_[static_cast<std::size_t>(i)].statistics;
-            if (s.lastBeam + at.beamShift + margin < first)
+            const BeamSpan& other = beams_[static_cast<std::size_t>(i)];
+            if (other.last + margin < beams.first)
                 continue;
-            if (s.firstBeam + at.beamShift > last + margin)
+            if (other.first > beams.last + margin)
                 break;
             visit(i);
         }
@@ -156,9 +163,11 @@ public:
 
 private:
     int neighbours(int place, int direction) const;
+    PlaneTrack& findPlane(PlaneId id);
 
     std::vector<TrackedSlice> slices_;
     std::vector<TrackedSegment> segments_;
+    std::vector<BeamSpan> beams_;         // of each segment
     std::vector<PlaneTrack> planes_;      // in order of id
     std::vector<std::size_t> lastPlace_;  // where the plane of an id was among them when it was asked for last
     PlaneId nextPlane_ = 0;

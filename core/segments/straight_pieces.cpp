@@ -40,12 +40,9 @@ std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shorte
     return straight_;
 }
 
-/// True where one line explains points that a chord would divide: the point far from it may be a stranger, or the
-/// chord's ends are. The piece is given its moments.
-bool StraightPieces::isStraight(LinePiece& piece, const ChordF& chord, int division, const Parameters& parameters) const
+/// True where a point is so little beyond the limit that it may be a stranger, or the chord's ends are.
+bool StraightPieces::isDoubtful(const ChordF& chord, int division, const Parameters& parameters) const
 {
-    if (piece.points() < 2 * shortest_)
-        return false;
     const double u = points_->u(division);
     const double v = points_->v(division);
     const auto normalU = static_cast<double>(-chord.directionV);
@@ -55,14 +52,7 @@ bool StraightPieces::isStraight(LinePiece& piece, const ChordF& chord, int divis
     const double variance = varianceAcross(normalU, normalV, u, v, parameters.noise);
     const double limit =
         std::max(square(parameters.segments.splitDistance), square(parameters.segments.splitSigmas) * variance);
-    if (square(deviation) > kDoubtful * limit)
-        return false;
-    const LineMoments left = points_->momentsOf(piece.first, division, chord);
-    const LineMoments right = points_->momentsOf(division + 1, piece.last, chord);
-    piece.moments = left;
-    piece.moments.add(right);
-    fitLine(piece, parameters.noise);
-    return isOneLine(piece, lineOf(left).across + lineOf(right).across);
+    return square(deviation) < kDoubtful * limit;
 }
 
 /// Splits a run at the points farthest from its chords, and settles the borders between the pieces.
@@ -76,7 +66,7 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
 
     const std::size_t begin = pieces_.size();
     open_.clear();
-    open_.push_back({first, last, 0});
+    open_.push_back({first, last, 0, {}, -1});
     while (!open_.empty()) {
         const Open open = open_.back();
         open_.pop_back();
@@ -88,20 +78,35 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
         if (piece.points() < shortest_)
             continue;
         const ChordF chord = points_->chordOf(open.first, open.last);
-        int division = points_->kernels().farthest(points, open.first + 1, open.last - 1, chord, limits);
+        const int division = points_->kernels().farthest(points, open.first + 1, open.last - 1, chord, limits);
         if (division < 0) {
-            piece.moments = points_->momentsOf(piece.first, piece.last, chord);
+            piece.moments =
+                open.momentsFirst == piece.first ? open.moments : points_->momentsOf(piece.first, piece.last, chord);
             pieces_.push_back(piece);
             continue;
         }
-        if (isStraight(piece, chord, division, parameters)) {
-            pieces_.push_back(piece);
-            continue;
+        Open left{open.first, division, open.depth + 1, {}, -1};
+        Open right{division, open.last, open.depth + 1, {}, -1};
+        if (piece.points() >= 2 * shortest_ && isDoubtful(chord, division, parameters)) {
+            left.moments = points_->momentsOf(piece.first, division, chord);
+            left.momentsFirst = piece.first;
+            right.moments = points_->momentsOf(division + 1, piece.last, chord);
+            right.momentsFirst = division + 1;
+            piece.moments = left.moments;
+            piece.moments.add(right.moments);
+            fitLine(piece, parameters.noise);
+            if (isOneLine(piece, lineOf(left.moments).across + lineOf(right.moments).across)) {
+                pieces_.push_back(piece);
+                continue;
+            }
         }
-        if (open.depth >= kDeepestDivision)
-            division = (open.first + open.last) / 2;
-        open_.push_back({division, open.last, open.depth + 1});
-        open_.push_back({open.first, division, open.depth + 1});
+        if (open.depth >= kDeepestDivision) {
+            const int middle = (open.first + open.last) / 2;
+            left = {open.first, middle, open.depth + 1, {}, -1};
+            right = {middle, open.last, open.depth + 1, {}, -1};
+        }
+        open_.push_back(right);
+        open_.push_back(left);
     }
     for (std::size_t i = begin + 1; i < pieces_.size(); ++i)
         settleBorder(pieces_[i - 1], pieces_[i], parameters.noise);

@@ -27,9 +27,11 @@ private:
         int first = 0;
         int last = 0;
         int depth = 0;
+        LineMoments moments;  ///< of the points from momentsFirst on, where they are known
+        int momentsFirst = -1;
     };
 
-    bool isStraight(LinePiece& piece, const ChordF& chord, int division, const Parameters& parameters) const;
+    bool isDoubtful(const ChordF& chord, int division, const Parameters& parameters) const;
     void splitRun(int first, int last, const Parameters& parameters);
     LinePiece pieceOf(int first, int last) const;
     LineMoments fewPoints(int first, int last) const;

@@ -130,9 +130,9 @@ void TrackMapTest::beamsOfInterlacedSlicesAreThoseOfTheFirst()
     }
 
     QCOMPARE(map.bearingStep(), kBearingStep);
-    QCOMPARE(std::pair(map.firstBeam(0), map.lastBeam(0)), std::pair(320, 400));
-    QCOMPARE(std::pair(map.firstBeam(1), map.lastBeam(1)), std::pair(323, 403));
-    QCOMPARE(std::pair(map.firstBeam(2), map.lastBeam(2)), std::pair(318, 398));
+    QCOMPARE(std::pair(map.beams(0).first, map.beams(0).last), std::pair(320, 400));
+    QCOMPARE(std::pair(map.beams(1).first, map.beams(1).last), std::pair(323, 403));
+    QCOMPARE(std::pair(map.beams(2).first, map.beams(2).last), std::pair(318, 398));
 }
 
 void TrackMapTest::neighboursAreTwoSlicesOrThoseWithinOneAndAHalfDegrees_data()
@@ -195,12 +195,12 @@ void TrackMapTest::overlapsAreThoseOfAllSegmentsCompared()
         const int margin = random.integer(0, 8);
 
         std::vector<SegmentNumber> visited;
-        map.visitOverlaps(1, first, last, margin, [&](SegmentNumber number) { visited.push_back(number); });
+        map.visitOverlaps(1, {first, last}, margin, [&](SegmentNumber number) { visited.push_back(number); });
 
         std::vector<SegmentNumber> expected;
         for (SegmentNumber number = map.slice(1).first; number < map.segments(); ++number) {
             bool shares = false;
-            for (int beam = map.firstBeam(number); beam <= map.lastBeam(number); ++beam)
+            for (int beam = map.beams(number).first; beam <= map.beams(number).last; ++beam)
                 shares = shares || (beam >= first - margin && beam <= last + margin);
             if (shares)
                 expected.push_back(number);
@@ -371,7 +371,11 @@ void TrackMapTest::rebuildLeavesOutWhatDoesNotCount()
     const PlaneEstimate before = plane.estimate;
     QVERIFY(apart(before, kWall) > 1e-3);
 
-    QVERIFY(scan.map.rebuild(plane, scan.parameters.noise, 0.0, [](SegmentNumber number) { return number != 3; }));
+    const SegmentStatistics* disturbed = &scan.map.segment(3).statistics;
+    const auto isNot = [&](const PlaneEstimate&, const PlaneInSlice&, const SegmentStatistics& segment) {
+        return &segment != disturbed;
+    };
+    QVERIFY(scan.map.rebuild(plane, scan.parameters.noise, 0.0, isNot));
 
     QCOMPARE(plane.fitted, 5);
     QCOMPARE(plane.members.size(), std::size_t{6});
@@ -380,7 +384,8 @@ void TrackMapTest::rebuildLeavesOutWhatDoesNotCount()
         nearlyEqual(plane.estimate, solvedFrom(before, {0, 1, 2, 4, 5}, scan.map, scan.parameters.noise, 0.0), 1e-12));
     // Nothing counts: the plane stays as it was.
     const double distance = plane.estimate.distance();
-    QVERIFY(!scan.map.rebuild(plane, scan.parameters.noise, 0.0, [](SegmentNumber) { return false; }));
+    const auto none = [](const PlaneEstimate&, const PlaneInSlice&, const SegmentStatistics&) { return false; };
+    QVERIFY(!scan.map.rebuild(plane, scan.parameters.noise, 0.0, none));
     QCOMPARE(plane.estimate.distance(), distance);
     QCOMPARE(plane.fitted, 5);
 }
@@ -412,8 +417,10 @@ void TrackMapTest::membersFollowTheirOwners()
     scan.map.segment(4).owner = kNoPlane;
     scan.map.segment(6).owner = first;
     scan.map.segment(7).owner = first;
-    scan.map.collectMembers(30);
+    const std::vector<PlaneId> changed{second, first, 2, first};
+    const std::vector<PlaneTrack*> left = scan.map.collectMembers(changed, 30);
 
+    QVERIFY((left == std::vector{&scan.map.plane(first), &scan.map.plane(second)}));
     QVERIFY((scan.planeIds() == std::vector<PlaneId>{first, second}));
     QVERIFY((scan.map.plane(first).members == std::vector<SegmentNumber>{0, 2, 6, 7}));
     QVERIFY((scan.map.plane(second).members == std::vector<SegmentNumber>{1, 3, 5}));
