@@ -18,6 +18,8 @@ constexpr int kFewestPoints = 3;
 /// Points at each end of a piece that may be left out as strangers, and how far off they are, in standard deviations.
 constexpr int kTrimmedPoints = 2;
 constexpr double kTrimSigmas = 2.5;
+/// The variance across the common line of two pieces is surely less than so many times the larger of theirs.
+constexpr double kRoughly = 4.0;
 /// A single weight serves a segment whose ranges differ by less than this factor.
 constexpr double kOneWeightRatio = 1.6;
 
@@ -84,9 +86,13 @@ bool StatisticsExtractor::belongTogether(const LinePiece& left, const LinePiece&
     together.last = right.last;
     together.moments = left.moments;
     together.moments.add(right.moments);
+    const double apart = left.line.across + right.line.across;
+    const double roughly = kRoughly * std::max(left.variance, right.variance);
+    if (!isOneLine(together.moments.count, axesOf(together.moments).smaller, apart, roughly))
+        return false;
     together.clipped = left.clipped || right.clipped || right.first != left.last + 1;
     fitLine(together, parameters.noise);
-    return isOneLine(together, left.line.across + right.line.across);
+    return isOneLine(together.moments.count, together.line.across, apart, together.variance);
 }
 
 SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, const NoiseParameters& noise) const

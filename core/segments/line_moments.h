@@ -61,25 +61,35 @@ struct MomentLine {
     double normalV() const { return directionU; }
 };
 
+/// The axes of a scatter of points: eigenvalues [m²] and the direction of the larger one, of any length and side.
+struct ScatterAxes {
+    double directionU = 1.0, directionV = 0.0;
+    double larger = 0.0;
+    double smaller = 0.0;
+};
+
+inline ScatterAxes axesOf(const LineMoments& moments)
+{
+    ScatterAxes axes;
+    const double half = 0.5 * (moments.uu - moments.vv);
+    const double root = std::sqrt(half * half + moments.uv * moments.uv);
+    if (root > 0.0) {
+        axes.directionU = half >= 0.0 ? root + half : std::abs(moments.uv);
+        axes.directionV = half >= 0.0 ? moments.uv : std::copysign(root - half, moments.uv);
+    }
+    axes.larger = 0.5 * (moments.uu + moments.vv) + root;
+    // As determinant over the larger one: the difference of trace and root would cancel.
+    axes.smaller =
+        axes.larger > 0.0 ? std::max(0.0, (moments.uu * moments.vv - moments.uv * moments.uv) / axes.larger) : 0.0;
+    return axes;
+}
+
 /// The line of least squares through the points of these moments; `directionU`, `directionV` keep no side.
 inline MomentLine lineOf(const LineMoments& moments)
 {
-    // Larger eigenvalue and its eigenvector by the half angle: cos 2α = half/root, sin 2α = uv/root.
-    MomentLine line;
-    const double half = 0.5 * (moments.uu - moments.vv);
-    const double root = std::sqrt(half * half + moments.uv * moments.uv);
-    const double middle = 0.5 * (moments.uu + moments.vv);
-    if (root > 0.0) {
-        const double larger = std::sqrt(0.5 + 0.5 * std::abs(half) / root);
-        const double smaller = std::copysign(0.5 * std::abs(moments.uv) / (root * larger), moments.uv);
-        line.directionU = half >= 0.0 ? larger : std::abs(smaller);
-        line.directionV = half >= 0.0 ? smaller : std::copysign(larger, moments.uv);
-    }
-    line.along = middle + root;
-    // The smaller eigenvalue as determinant over the larger one: middle − root would cancel.
-    line.across =
-        line.along > 0.0 ? std::max(0.0, (moments.uu * moments.vv - moments.uv * moments.uv) / line.along) : 0.0;
-    return line;
+    const ScatterAxes axes = axesOf(moments);
+    const double scale = 1.0 / std::sqrt(axes.directionU * axes.directionU + axes.directionV * axes.directionV);
+    return {scale * axes.directionU, scale * axes.directionV, axes.larger, axes.smaller};
 }
 
 }  // namespace planewright

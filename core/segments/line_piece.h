@@ -33,14 +33,16 @@ inline double square(double x)
     return x * x;
 }
 
-/// Variance of a point across a line of this normal [m²]: range noise along the ray, bearing noise across it.
+/// Variance of a point across a line of this normal [m²], times the squared length of the normal: range noise along the
+/// ray, bearing noise across it.
 inline double varianceAcross(double normalU, double normalV, double u, double v, const NoiseParameters& noise)
 {
     const double along = square(normalU * u + normalV * v);
     const double across = square(normalV * u - normalU * v);
     const double relative =
-        square(noise.rangeConstant) / std::max(along + across, kLeastVariance) + square(noise.rangeProportional);
-    return std::max(kLeastVariance, along * relative + across * square(noise.bearing));
+        square(noise.rangeConstant) / std::max(square(u) + square(v), kLeastVariance) + square(noise.rangeProportional);
+    const double least = kLeastVariance * (square(normalU) + square(normalV));
+    return std::max(least, along * relative + across * square(noise.bearing));
 }
 
 /// The same at the mean of the points.
@@ -72,12 +74,11 @@ inline double largestChi(double points)
 /// χ² with two degrees of freedom that the common line of two pieces may cost: 99.9 %.
 inline constexpr double kCommonLine = 13.8;
 
-/// True where the line of a piece explains all of its points, and its two parts no worse than a line each, whose sums
-/// of squares are `apart` [m²] together.
-inline bool isOneLine(const LinePiece& piece, double apart)
+/// True where one line explains points with a sum of squares `across` [m²] well, and its two parts no worse than a line
+/// each, whose sums are `apart` [m²] together; `variance` is that of a point across the line [m²].
+inline bool isOneLine(double points, double across, double apart, double variance)
 {
-    return piece.line.across - apart < kCommonLine * piece.variance &&
-           piece.line.across < piece.variance * largestChi(piece.moments.count);
+    return across - apart < kCommonLine * variance && across < variance * largestChi(points);
 }
 
 }  // namespace planewright

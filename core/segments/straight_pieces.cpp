@@ -94,8 +94,11 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
             right.momentsFirst = division + 1;
             piece.moments = left.moments;
             piece.moments.add(right.moments);
-            fitLine(piece, parameters.noise);
-            if (isOneLine(piece, lineOf(left.moments).across + lineOf(right.moments).across)) {
+            const double variance =
+                varianceAcross(static_cast<double>(-chord.directionV), static_cast<double>(chord.directionU),
+                               piece.moments.u, piece.moments.v, parameters.noise);
+            const double apart = axesOf(left.moments).smaller + axesOf(right.moments).smaller;
+            if (isOneLine(piece.moments.count, axesOf(piece.moments).smaller, apart, variance)) {
                 pieces_.push_back(piece);
                 continue;
             }
@@ -159,15 +162,15 @@ void StraightPieces::settleBorder(LinePiece& left, LinePiece& right, const Noise
     LineMoments rightSure = right.moments;
     leftSure.remove(fewPoints(low, left.last));
     rightSure.remove(fewPoints(right.first, high));
+    // Squared distance of a point from a line, in its variances there; the normal may have any length.
     const auto costOf = [&](const LineMoments& moments) {
-        const MomentLine line = lineOf(moments);
-        // The distance of a point in standard deviations as a linear function of its place.
-        const double scale = 1.0 / std::sqrt(centroidVariance(line, moments, noise));
-        const double normalU = scale * line.normalU();
-        const double normalV = scale * line.normalV();
+        const ScatterAxes axes = axesOf(moments);
+        const double normalU = -axes.directionV;
+        const double normalV = axes.directionU;
         const double offset = normalU * moments.u + normalV * moments.v;
-        return [this, normalU, normalV, offset](int i) {
-            return square(normalU * points_->u(i) + normalV * points_->v(i) - offset);
+        const double weight = 1.0 / varianceAcross(normalU, normalV, moments.u, moments.v, noise);
+        return [this, normalU, normalV, offset, weight](int i) {
+            return square(normalU * points_->u(i) + normalV * points_->v(i) - offset) * weight;
         };
     };
     const auto leftCost = costOf(leftSure);
