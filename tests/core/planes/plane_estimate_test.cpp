@@ -103,6 +103,7 @@ private slots:
     void covarianceIsHonestWithCommonPitchErrors();
     void ownPitchErrorsOfPointsWeighLess();
     void joinChiHasItsExpectation();
+    void aLimitOnlyEndsTheWorkEarly();
     void aSegmentOffThePlaneDoesNotJoin();
     void samePlanesMergeAndOthersDoNot();
     void mergingDoesNotAskForTheSideOfTheNormal();
@@ -291,6 +292,45 @@ void PlaneEstimateTest::joinChiHasItsExpectation()
 
     // Mean of 2000 χ² of 2 degrees of freedom: standard deviation 0.045.
     QVERIFY2(std::abs(sum - 2.0) < 0.15, qPrintable(QString::number(sum)));
+}
+
+void PlaneEstimateTest::aLimitOnlyEndsTheWorkEarly()
+{
+    constexpr double kLimit = 9.21;
+    constexpr double kFloor = 0.002;
+    for (const bool pitchCommon : {true, false}) {
+        NoiseParameters noise = noiseOf(degrees(0.05));
+        noise.pitchCommon = pitchCommon;
+        PlaneEstimate plane = estimateOf(manySlices(), noise);
+        QVERIFY(plane.solve());
+        Random random(8);
+        int met = 0;
+        int surelyNot = 0;
+        for (int trial = 0; trial < 2000; ++trial) {
+            const double tilt = degrees(55.0 + 10.0 * random.uniform());
+            const double off = 0.05 * random.normalPair().first;
+            SegmentStatistics s = seenAt(tilt, kNormal, kDistance + off, random.uniform()).segments[0];
+            disturb(s, random);
+            const SliceFrame frame = frameOf(tilt, kSensor);
+            const PlaneInSlice seen = plane.inSlice(frame);
+            const double chi = plane.joinChi(seen, s, noise, kFloor);
+            const double limited = plane.joinChi(seen, s, noise, kFloor, kLimit);
+
+            if (chi < kLimit)
+                QCOMPARE(limited, chi);
+            else
+                QVERIFY(limited >= kLimit);
+            const Eigen::Vector3d centroid = frame.pointAt(s.u, s.v);
+            if (!plane.mayMeet(centroid, mostVariance(s, centroid, noise, kFloor), kLimit)) {
+                QVERIFY(chi >= kLimit);
+                ++surelyNot;
+            }
+            met += chi < kLimit ? 1 : 0;
+        }
+        // Many are told at once; those that join are among the others.
+        QVERIFY(met > 100);
+        QVERIFY(surelyNot > 1000);
+    }
 }
 
 void PlaneEstimateTest::aSegmentOffThePlaneDoesNotJoin()

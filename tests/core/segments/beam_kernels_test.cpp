@@ -116,6 +116,9 @@ void BeamKernelsTest::everyKindGivesTheSameBits()
 
             std::vector<std::uint8_t> marks(beams.u.size());
             std::vector<std::uint8_t> expectedMarks(beams.u.size());
+            kernels.markMissing(beams.range.data(), count, marks.data());
+            for (int i = 0; i < count; ++i)
+                QCOMPARE(marks[static_cast<std::size_t>(i)], i % 31 == 30 ? 1 : 0);
             kernels.markGaps(beams.arrays(), beams.range.data(), count, 0.03F, 3.0F, marks.data());
             baseline.markGaps(beams.arrays(), beams.range.data(), count, 0.03F, 3.0F, expectedMarks.data());
             QCOMPARE(marks, expectedMarks);

@@ -102,6 +102,15 @@ inline double normal(std::mt19937_64& random)
     return std::sqrt(-2.0 * std::log(1.0 - uniform(random))) * std::cos(2.0 * std::numbers::pi * uniform(random));
 }
 
+/// The same slice with range noise [m] on every echo.
+inline ScanSlice noisy(ScanSlice slice, double sigma, std::uint64_t seed)
+{
+    std::mt19937_64 random(seed);
+    for (double& range : slice.ranges)
+        range += range > 0.0 ? sigma * normal(random) : 0.0;
+    return slice;
+}
+
 /// Walls from corner to corner round the scanner, seen from bearing 0 on: each spans 8° to 20° and turns by 30° at
 /// least at its corners.
 inline std::vector<DrawnWall> randomWalls(int count, std::mt19937_64& random)

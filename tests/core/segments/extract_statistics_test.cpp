@@ -25,14 +25,6 @@ std::vector<SegmentStatistics> segmentsOf(const ScanSlice& slice, const Paramete
     return segments;
 }
 
-ScanSlice noisy(ScanSlice slice, double sigma, std::uint64_t seed)
-{
-    std::mt19937_64 random(seed);
-    for (double& range : slice.ranges)
-        range += range > 0.0 ? sigma * normal(random) : 0.0;
-    return slice;
-}
-
 double distanceToCentroid(const DrawnWall& wall, const SegmentStatistics& segment)
 {
     return distanceTo(wall, {segment.u, segment.v});
