@@ -237,8 +237,7 @@ struct PlaneParameters {
             Parameter{"planes.run-lean", &PlaneParameters::runLean, Unit::Angle, Range{0.0, degrees(90.0)}, "",
                       "A run contests a plane only if it leans out of it by more than this."},
             Parameter{"planes.max-contested", &PlaneParameters::maxContested, Unit::None, Range{0.0, 1.0}, "",
-                      "A plane is not made, and is split, when a larger share of its segments is on runs that lean out "
-                      "of it."},
+                      "A plane is not made, and is split, when a larger share of it is on runs that lean out of it."},
             Parameter{"planes.merge-angle", &PlaneParameters::mergeAngle, Unit::Angle, Range{0.0, degrees(45.0)},
                       "nu_o", "Largest angle between two planes to be merged, Eq. (21)."},
             Parameter{"planes.merge-distance", &PlaneParameters::mergeDistance, Unit::Metre, Range{0.0, 1.0},

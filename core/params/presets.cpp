@@ -27,7 +27,8 @@ const std::vector<Preset>& methodPresets()
           {"segments.min-points", "4"},
           {"planes.flatness", "0.002"},
           {"planes.min-segments", "3"},
-          {"planes.min-slices", "3"}}},
+          {"planes.min-slices", "3"},
+          {"planes.max-contested", "0.35"}}},
     };
     return presets;
 }

@@ -96,6 +96,7 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
     adapt(parameters);
     mergeTracks(map_, inUse_, recorder);
     splitTracks(map_, inUse_, recorder);
+    splitContested(map_, inUse_, recorder);
     thinTracks(map_, inUse_, recorder);
     seedTracks(map_, 0, inUse_, recorder);
     joinRemaining(map_, 0, inUse_, recorder);
@@ -106,6 +107,7 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
     mergeTracks(map_, inUse_, recorder);
     joinRemaining(map_, 0, inUse_, recorder);
     thinTracks(map_, inUse_, recorder);
+    splitContested(map_, inUse_, recorder);
     dropUnfounded(map_, inUse_, recorder);
     refineTracks(map_, inUse_);
     dropOwnedFromClusters();
@@ -119,7 +121,7 @@ void LikelihoodMethod::dropOwnedFromClusters()
 void LikelihoodMethod::parametersChanged()
 {
     for (PlaneTrack& plane : map_.planes())
-        plane.comparedAt = 0;
+        plane.comparedAt = plane.contestedAt = 0;
     estimatedAt_ = 0;
 }
 

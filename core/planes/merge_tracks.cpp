@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 
 namespace planewright {
@@ -16,7 +17,9 @@ constexpr double kGrown = 1.25;
 constexpr double kAlignment = 0.9;
 /// Beams within which segments of two planes count as side by side.
 constexpr int kSideMargin = 20;
-/// Pairs are told as nearly merged up to this many times the gate.
+/// By how much worse one plane may explain the segments of two that scatter than each of these explains its own.
+constexpr double kWorse = 1.6;
+/// Pairs are looked at more closely, and told as nearly merged, up to this many times the gate.
 constexpr double kNearFactor = 4.0;
 
 bool sideBySide(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map)
@@ -39,27 +42,61 @@ bool hasGrown(const PlaneTrack& plane)
     return static_cast<double>(plane.points) > kGrown * static_cast<double>(plane.comparedAt);
 }
 
-/// Whether two planes are one; what was compared is told where they nearly are.
-bool areOne(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map, const Parameters& parameters,
+/// By how much a plane's covariance grows where its segments scatter by more than their noise: so does the plane.
+double scatterOf(const PlaneTrack& plane)
+{
+    return std::max(1.0, meanErrorOf(plane));
+}
+
+std::vector<SegmentNumber> membersOf(const PlaneTrack& a, const PlaneTrack& b)
+{
+    std::vector<SegmentNumber> all(a.members.size() + b.members.size());
+    std::merge(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(), all.begin());
+    return all;
+}
+
+/// By how much worse one plane explains the segments of two than each of these explains its own. Covariances of planes
+/// that scatter tell less: what surfaces and scanners are off is alike from slice to slice, and not by chance.
+double worseTogether(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters)
+{
+    PlaneTrack both = a.points >= b.points ? a : b;
+    both.members = membersOf(a, b);
+    if (!map.rebuild(both, parameters))
+        return kWorse;
+    const auto weight = [](const PlaneTrack& plane) { return static_cast<double>(plane.members.size()); };
+    return meanErrorOf(both) * weight(both) / (scatterOf(a) * weight(a) + scatterOf(b) * weight(b));
+}
+
+/// Whether two planes are one: by their covariances, or, where these tell too little because segments scatter, by how
+/// well one explains the segments of both. What was compared is told where they nearly are.
+bool areOne(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters,
             StepRecorder& recorder)
 {
     const double alignment = std::abs(a.estimate.normal().dot(b.estimate.normal()));
     if (alignment <= kAlignment)
         return false;
     const double gate = parameters.likelihood.mergeGate;
-    const double chi = a.estimate.mergeChi(b.estimate, 0.5 * parameters.flatnessFloor(), 1.0);
-    if (!(chi < kNearFactor * gate))
+    const double floor = 0.5 * parameters.flatnessFloor();
+    const double chi = a.estimate.mergeChi(b.estimate, floor, 1.0);
+    const double scatter = std::max(scatterOf(a), scatterOf(b));
+    if (!(chi < kNearFactor * gate * scatter))
+        return false;
+    const bool scatters = chi >= gate && scatter > 1.0;
+    if (scatters && !(a.estimate.mergeChi(b.estimate, floor, 1.0, scatterOf(a), scatterOf(b)) < kNearFactor * gate))
         return false;
     const double known = parameters.likelihood.mergeAngle * parameters.likelihood.mergeAngle;
     const bool sharp = a.estimate.normalVariance() < known && b.estimate.normalVariance() < known;
     const bool beside = sharp || sideBySide(a, b, map);
-    const bool one = chi < gate && beside;
+    std::vector<Test> tests{{"normal_alignment", alignment, Comparison::Greater, kAlignment},
+                            {"adjacent", beside ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0}};
+    if (beside && scatters)
+        tests.push_back({"worse_together", worseTogether(a, b, map, parameters), Comparison::Less, kWorse});
+    else
+        tests.push_back({"merge_chi2", chi, Comparison::Less, gate});
+    const bool one = std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); });
     if (recorder.explains())
         recorder.decide(
-            one ? DecisionKind::Merge : DecisionKind::Near, {PlaneRef{a.id}, PlaneRef{b.id}},
-            {{"normal_alignment", alignment, Comparison::Greater, kAlignment},
-             {"merge_chi2", chi, Comparison::Less, gate},
-             {"adjacent", beside ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0}},
+            one ? DecisionKind::Merge : DecisionKind::Near, {PlaneRef{a.id}, PlaneRef{b.id}}, std::move(tests),
             one ? std::vector<Operand>{PlaneRef{a.points >= b.points ? a.id : b.id}} : std::vector<Operand>{});
     return one;
 }
@@ -69,9 +106,7 @@ void takeOver(PlaneTrack& kept, const PlaneTrack& gone, TrackMap& map, const Par
 {
     for (const SegmentNumber number : gone.members)
         map.segment(number).owner = kept.id;
-    std::vector<SegmentNumber> all(kept.members.size() + gone.members.size());
-    std::merge(kept.members.begin(), kept.members.end(), gone.members.begin(), gone.members.end(), all.begin());
-    kept.members = std::move(all);
+    kept.members = membersOf(kept, gone);
     kept.points += gone.points;
     kept.lastSlice = std::max(kept.lastSlice, gone.lastSlice);
     kept.slices = 0;

@@ -253,7 +253,8 @@ double mostVariance(const SegmentStatistics& segment, const Eigen::Vector3d& cen
     return 1.0 / segment.offsetInformation + floor * floor + noise.pitch * noise.pitch * centroid.squaredNorm();
 }
 
-double PlaneEstimate::mergeChi(const PlaneEstimate& other, double floor, double extent) const
+double PlaneEstimate::mergeChi(const PlaneEstimate& other, double floor, double extent, double scatter,
+                               double otherScatter) const
 {
     const double side = normal_.dot(other.normal_) < 0.0 ? -1.0 : 1.0;
     // Both in this plane's tangents: a turn of the other's normal is one of this, seen from here.
@@ -264,7 +265,7 @@ double PlaneEstimate::mergeChi(const PlaneEstimate& other, double floor, double 
     Eigen::Vector3d apart;
     apart.head<2>() = tangents_.transpose() * (side * other.normal_ - normal_);
     apart[2] = side * other.distance_ - distance_;
-    Eigen::Matrix3d covariance = covariance_ + toHere * other.covariance_ * toHere.transpose();
+    Eigen::Matrix3d covariance = scatter * covariance_ + otherScatter * toHere * other.covariance_ * toHere.transpose();
     const double angle = floor / std::max(extent, 1e-3);
     covariance(0, 0) += angle * angle;
     covariance(1, 1) += angle * angle;

@@ -111,8 +111,10 @@ public:
     PitchEvidence pitchEvidence(const PlaneInSlice& seen, const SegmentStatistics& segment,
                                 const NoiseParameters& noise, double floor) const;
 
-    /// χ² (3 degrees of freedom) of two planes being one, with a flatness floor [m] over an extent [m].
-    double mergeChi(const PlaneEstimate& other, double floor, double extent) const;
+    /// χ² (3 degrees of freedom) of two planes being one, with a flatness floor [m] over an extent [m]. A plane's
+    /// covariance grows by its scatter, that of its segments relative to their noise.
+    double mergeChi(const PlaneEstimate& other, double floor, double extent, double scatter = 1.0,
+                    double otherScatter = 1.0) const;
 
 private:
     double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise, double floor,

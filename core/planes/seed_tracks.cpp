@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/planes/fit_segments.h"
+#include "core/planes/grow_track.h"
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 #include "core/types/angle.h"
@@ -18,19 +20,17 @@ namespace {
 
 /// Tilts between the slices of a triple that are tried one after another [rad]: a fine tilt step gives neighbours too
 /// close to tell a plane's direction.
-constexpr std::array kTiltGaps{0.0, degrees(0.5), degrees(1.0)};
+constexpr std::array kTiltGaps{0.0, degrees(0.5), degrees(1.0), degrees(2.0), degrees(4.0), degrees(8.0)};
+/// The last of them but for surfaces so near that their slices are no farther apart than ranges are off together.
+constexpr double kWidestTiltGap = degrees(1.0);
 /// The smallest tilt between them, in standard deviations of the pitch: nearer ones only tell its noise.
 constexpr double kTiltGapSigmas = 2.0;
+/// Standard deviations that ranges may be off together.
+constexpr double kSystematicSigmas = 2.0;
 /// Slices looked back over for them at most: a head that rests gives any number.
 constexpr int kMostSlicesBack = 64;
-/// A plane stops growing after so many slices without a segment that fits.
-constexpr int kEmptySlices = 3;
 /// Segments whose centroids are farther than this from the plane of the two others are no triple [m].
 constexpr double kRoughlyCoplanar = 0.08;
-/// χ² of segments, in those that a plane of them may have, beyond which linearising it anew does not help.
-constexpr double kHopeless = 4.0;
-/// Sine of the angle at which rays must meet a plane at least; a slice's own plane is none.
-constexpr double kGrazing = 0.02;
 /// By how many standard deviations of its normal a plane must be met by the rays.
 constexpr double kSureSigmas = 2.0;
 /// Planes of more slices do not turn much any more.
@@ -49,37 +49,6 @@ struct Hypothesis {
     double normalVariance = 0.0;
     PlaneEstimate estimate;
 };
-
-/// The most likely plane of segments of different slices; none where they do not determine one.
-bool fitSegments(std::span<const SegmentNumber> numbers, const TrackMap& map, const Parameters& parameters,
-                 PlaneEstimate& estimate)
-{
-    const SegmentNumber a = numbers.front();
-    const SegmentNumber c = numbers.back();
-    const Eigen::Vector3d along = directionOf(a, map);
-    Eigen::Vector3d across = map.centroid(c) - map.centroid(a);
-    const Eigen::Vector3d normal = along.cross(across);
-    const double length = normal.norm();
-    const Eigen::Vector3d ray = map.centroid(c) - map.slice(map.segment(c).slice).frame.origin;
-    if (!(length > 1e-3 * across.norm()) || std::abs(normal.dot(ray)) < kGrazing * length * ray.norm())
-        return false;
-    estimate = PlaneEstimate(normal / length, normal.dot(map.centroid(a)) / length);
-    for (int round = 0; round < 2; ++round) {
-        if (round > 0)
-            estimate = PlaneEstimate(estimate.normal(), estimate.distance());
-        for (const SegmentNumber number : numbers) {
-            const TrackedSegment& s = map.segment(number);
-            const SegmentStatistics* one = &s.statistics;
-            estimate.accumulate(estimate.inSlice(map.slice(s.slice).frame), std::span{&one, 1}, parameters.noise, 0.0,
-                                1.0);
-        }
-        if (!estimate.solve() || estimate.chi() > kHopeless * parameters.likelihood.seedGate)
-            return false;
-        if (estimate.angleFromLinearisation() < 0.02)
-            break;
-    }
-    return true;
-}
 
 /// True where the middle one of three centroids is roughly where the plane through the others says.
 bool roughlyCoplanar(SegmentNumber a, SegmentNumber b, SegmentNumber c, const TrackMap& map)
@@ -120,14 +89,36 @@ bool surelyMet(SegmentNumber number, const PlaneEstimate& estimate, const TrackM
     return map.incidence(number, estimate) >= std::sin(std::min(least, degrees(90.0)));
 }
 
+/// What ranges that are off together, each slice on its own, do to the direction of a plane across slices [rad²]:
+/// slices too near each other tell nothing of it.
+double systematicVariance(SegmentNumber oldest, SegmentNumber newest, const PlaneEstimate& estimate,
+                          const TrackMap& map, double systematic)
+{
+    const double lever = (map.centroid(newest) - map.centroid(oldest)).cross(directionOf(newest, map)).norm();
+    const double off = kSystematicSigmas * systematic * map.incidence(newest, estimate);
+    return 2.0 * off * off / (lever * lever);
+}
+
+/// The widest tilt between the slices of a triple: there, ranges that are off together move the slices by a quarter of
+/// what is known of a plane's direction at least.
+double widestTiltGap(SegmentNumber newest, const TrackMap& map, const Parameters& parameters)
+{
+    const SegmentStatistics& s = map.segment(newest).statistics;
+    const double off = kSystematicSigmas * parameters.noise.systematic;
+    return std::max(kWidestTiltGap, 4.0 * off / (parameters.likelihood.seedAngle * std::hypot(s.u, s.v)));
+}
+
 /// Hypotheses of three segments of which the last is `newest`; of the smallest gap that gives any.
 void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& parameters,
                   std::vector<Hypothesis>& hypotheses)
 {
     const int place = map.segment(newest).slice;
     const double angle = parameters.likelihood.seedAngle;
+    const double widest = widestTiltGap(newest, map, parameters);
     std::pair tried{-1, -1};
     for (const double tiltGap : kTiltGaps) {
+        if (tiltGap > widest)
+            return;
         const double gap = std::max(tiltGap, kTiltGapSigmas * parameters.noise.pitch);
         const int middlePlace = sliceBefore(place, gap, map);
         const int oldestPlace = middlePlace < 0 ? -1 : sliceBefore(middlePlace, gap, map);
@@ -142,10 +133,13 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
                     return;
                 Hypothesis hypothesis;
                 hypothesis.segments = {oldest, middle, newest};
-                if (!fitSegments(hypothesis.segments, map, parameters, hypothesis.estimate))
+                if (!fitSegments(hypothesis.segments, map, parameters, parameters.noise.systematic,
+                                 hypothesis.estimate))
                     return;
                 hypothesis.chi = hypothesis.estimate.chi();
                 hypothesis.normalVariance = hypothesis.estimate.normalVariance();
+                hypothesis.normalVariance +=
+                    systematicVariance(oldest, newest, hypothesis.estimate, map, parameters.noise.systematic);
                 if (hypothesis.chi >= parameters.likelihood.seedGate || hypothesis.normalVariance >= angle * angle ||
                     !surelyMet(newest, hypothesis.estimate, map, parameters))
                     return;
@@ -158,47 +152,6 @@ void hypothesesOf(SegmentNumber newest, const TrackMap& map, const Parameters& p
         if (hypotheses.size() > before)
             return;
     }
-}
-
-/// Takes in the free segments of a slice that face the plane's in the slices `near`, and fit it.
-bool growInto(PlaneTrack& plane, int place, int towards, TrackMap& map, const Parameters& parameters, int step)
-{
-    const TrackedSlice& slice = map.slice(place);
-    const int reach = towards < 0 ? map.lookback(place) : map.lookahead(place);
-    std::vector<SegmentNumber> fitting;
-    for (SegmentNumber number = slice.first; number < slice.end; ++number) {
-        if (map.segment(number).owner != kNoPlane)
-            continue;
-        bool faces = false;
-        for (int near = 1; near <= reach && !faces; ++near) {
-            map.visitOverlaps(place + near * towards, map.beams(number), kOverlapMargin,
-                              [&](SegmentNumber facing) { faces = faces || map.segment(facing).owner == plane.id; });
-        }
-        const double gate = parameters.likelihood.joinGate;
-        if (faces && map.joinChi(plane, number, parameters.noise, parameters.flatnessFloor(), gate) < gate)
-            fitting.push_back(number);
-    }
-    if (fitting.empty())
-        return false;
-    map.join(plane, fitting, step, parameters);
-    return true;
-}
-
-/// Grows a new plane over the slices between, before and after its first segments.
-void grow(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, int step)
-{
-    const int first = map.segment(plane.members.front()).slice;
-    const int last = map.segment(plane.members.back()).slice;
-    for (int place = last - 1; place > first; --place)
-        growInto(plane, place, 1, map, parameters, step);
-    int empty = 0;
-    for (int place = first - 1; place >= 0 && empty < kEmptySlices; --place)
-        empty = growInto(plane, place, 1, map, parameters, step) ? 0 : empty + 1;
-    empty = 0;
-    for (int place = last + 1; place < map.slices() && empty < kEmptySlices; ++place)
-        empty = growInto(plane, place, -1, map, parameters, step) ? 0 : empty + 1;
-    plane.estimate.solve();
-    map.rebuild(plane, parameters);
 }
 
 /// Two facing segments of neighbouring slices. Any two parallel ones are on a plane, so that all that speaks for one
@@ -241,7 +194,7 @@ void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parame
             return;
         PairHypothesis hypothesis;
         hypothesis.segments = {other, number};
-        if (!fitSegments(hypothesis.segments, map, parameters, hypothesis.estimate))
+        if (!fitSegments(hypothesis.segments, map, parameters, parameters.noise.systematic, hypothesis.estimate))
             return;
         hypothesis.chi = hypothesis.estimate.chi();
         if (hypothesis.chi >= parameters.likelihood.joinGate ||
@@ -250,21 +203,6 @@ void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parame
         hypothesis.parallelChi = parallelChi(hypothesis.estimate, map, parameters);
         hypotheses.push_back(hypothesis);
     });
-}
-
-/// Dissolves a plane that has turned into the slices that it is made of.
-bool dropGrazing(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
-{
-    const SegmentNumber middle = plane.members[plane.members.size() / 2];
-    const double mean = (map.incidence(plane.members.front(), plane.estimate) + map.incidence(middle, plane.estimate) +
-                         map.incidence(plane.members.back(), plane.estimate)) /
-                        3.0;
-    const Test met{"incidence", mean, Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)};
-    if (met.pass())
-        return false;
-    recorder.decide(DecisionKind::NoFit, {PlaneRef{plane.id}}, {met});
-    map.dissolve(plane.id);
-    return true;
 }
 
 }  // namespace
@@ -303,8 +241,7 @@ void seedTracks(TrackMap& map, int firstSlice, const Parameters& parameters, Ste
                              {"normal_sigma", std::sqrt(hypothesis.normalVariance), Comparison::Less,
                               parameters.likelihood.seedAngle}},
                             {PlaneRef{plane->id}});
-        grow(*plane, map, parameters, step);
-        dropGrazing(*plane, map, parameters, recorder);
+        growTrack(*plane, map, parameters, recorder);
     }
 }
 
@@ -334,8 +271,7 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
                              {"parallel_chi2", hypothesis.parallelChi, Comparison::LessEqual, kNoParallel}},
                             {PlaneRef{plane->id}});
         plane->ofPair = true;
-        grow(*plane, map, parameters, step);
-        dropGrazing(*plane, map, parameters, recorder);
+        growTrack(*plane, map, parameters, recorder);
     }
 }
 

@@ -36,6 +36,7 @@ struct TrackedSegment {
     SegmentStatistics statistics;
     int slice = 0;             ///< place of its slice
     PlaneId owner = kNoPlane;  ///< the plane that it belongs to
+    int contested = -1;        ///< the plane of `contestedPlanes` that it was on last; −1 for none
 };
 
 /// A plane that follows its segments from slice to slice.
@@ -50,6 +51,7 @@ struct PlaneTrack {
     std::int64_t linearisedAt = 0;  ///< points when it was linearised last
     int slicesUnsolved = 0;         ///< slices added since it was solved last
     std::int64_t comparedAt = 0;    ///< points when it was compared for merging last
+    std::int64_t contestedAt = 0;   ///< points when it was asked last whether runs lean out of it
     bool ofPair = false;            ///< made of two facing segments: two slices are enough for it
     int bornStep = 0;
     int changedStep = 0;
@@ -152,6 +154,7 @@ public:
     void touch(PlaneTrack& plane, int step);
 
     DirectionClusters clusters;
+    std::vector<PlaneEstimate> contestedPlanes;  ///< those that were taken apart because runs lean out of them
 
     /// Storage of the stage that gives segments to planes, kept from slice to slice.
     struct Joining {

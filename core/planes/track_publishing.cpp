@@ -28,6 +28,12 @@ double rmsOf(const PlaneTrack& plane, const TrackMap& map)
     return std::sqrt(sum / static_cast<double>(std::max<std::int64_t>(1, plane.points)));
 }
 
+/// Degrees of freedom of its fit: two numbers a segment, less three of the plane.
+double freedomOf(const PlaneTrack& plane)
+{
+    return std::max(1.0, 2.0 * plane.fitted - 3.0);
+}
+
 }  // namespace
 
 SegmentId idOf(SegmentNumber number, const TrackMap& map)
@@ -45,8 +51,12 @@ Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map)
 
 double meanErrorOf(const PlaneTrack& plane)
 {
-    const double freedom = std::max(1.0, 2.0 * plane.fitted - 3.0);
-    return std::max(0.0, plane.estimate.chi()) / freedom;
+    return std::max(0.0, plane.estimate.chi()) / freedomOf(plane);
+}
+
+double largestMeanError(const PlaneTrack& plane, const Parameters& parameters)
+{
+    return 1.0 + parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedomOf(plane));
 }
 
 Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, const NoiseParameters& noise)

@@ -18,6 +18,9 @@ Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map);
 /// Mean squared Mahalanobis distance of a plane's segments: 1 is expected.
 double meanErrorOf(const PlaneTrack& plane);
 
+/// Up to where it is chance (`likelihood.split-sigmas`).
+double largestMeanError(const PlaneTrack& plane, const Parameters& parameters);
+
 /// The segments of a slice as snapshots show them: end points are those of the fitted line, projected.
 Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, const NoiseParameters& noise);
 

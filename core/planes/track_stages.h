@@ -38,6 +38,10 @@ void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
 /// 8): what leaves may make planes of its own.
 void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 
+/// Takes planes apart of which too large a share is on runs that lean out of them (`contestedShare`), into the planes
+/// of these runs: a stair is its risers, not the slope over their edges.
+void splitContested(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
 /// Takes the worst segments out of small planes that explain theirs badly, until they explain the rest well.
 void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 

@@ -28,7 +28,7 @@ std::string pathOf(const std::string& name)
     return path;
 }
 
-std::shared_ptr<const Snapshot> planesOf(const std::string& name)
+std::shared_ptr<const Snapshot> planesOf(const std::string& name, const QString& preset)
 {
     const std::string path = pathOf(name);
     std::ifstream file(path, std::ios::binary);
@@ -36,6 +36,7 @@ std::shared_ptr<const Snapshot> planesOf(const std::string& name)
     if (!read)
         qFatal("%s", read.error().message.c_str());
     Parameters parameters;
+    apply(*findPreset(methodPresets(), preset.toStdString()), parameters);
     apply(*sensorOfScanner(read->recording.description.scanner), parameters);
     return extracted(read->recording, parameters);
 }
@@ -65,9 +66,25 @@ Eigen::AlignedBox3d partOnStair(const Plane& plane, const Snapshot& snapshot)
     return box;
 }
 
+/// Mean height of a plane's segments above the pitch axis [m].
+double meanHeight(const Plane& plane, const Snapshot& snapshot)
+{
+    double sum = 0.0;
+    for (const SegmentId& id : plane.segments)
+        sum += snapshot.segments[id].midpoint().z();
+    return sum / static_cast<double>(plane.segments.size());
+}
+
 double angleBetween(const Plane& a, const Plane& b)
 {
     return std::atan2(a.normal.cross(b.normal).norm(), std::abs(a.normal.dot(b.normal)));
+}
+
+void eachPreset()
+{
+    QTest::addColumn<QString>("preset");
+    for (const Preset& preset : methodPresets())
+        QTest::newRow(preset.name.data()) << QString::fromUtf8(preset.name.data());
 }
 
 }  // namespace
@@ -76,20 +93,25 @@ class RealRecordingsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theLobbyHasAFloorAndWallsAtRightAngles_data() { eachPreset(); }
     void theLobbyHasAFloorAndWallsAtRightAngles();
+    void theLobbysStairIsItsRisersAndNoSlope_data() { eachPreset(); }
     void theLobbysStairIsItsRisersAndNoSlope();
+    void theDeskHasATopAndWallsBehindIt_data() { eachPreset(); }
     void theDeskHasATopAndWallsBehindIt();
 };
 
 void RealRecordingsTest::theLobbyHasAFloorAndWallsAtRightAngles()
 {
-    const auto lobby = planesOf("lobby.csv.gz");
+    QFETCH(const QString, preset);
+    const auto lobby = planesOf("lobby.csv.gz", preset);
 
     const Plane* floor = largestAlong(*lobby, Eigen::Vector3d::UnitZ(), degrees(10.0));
     QVERIFY(floor != nullptr && floor->points > 10000);
     int walls = 0;
     for (const auto& plane : lobby->planes) {
-        if (plane->points < 1000 || std::abs(plane->normal.x()) < 0.9)
+        // From 2 m up the walls lean over: the vaults begin.
+        if (plane->points < 1000 || std::abs(plane->normal.x()) < 0.9 || meanHeight(*plane, *lobby) > 2.0)
             continue;
         ++walls;
         QVERIFY2(std::abs(toDegrees(angleBetween(*floor, *plane)) - 90.0) < 3.0,
@@ -101,9 +123,10 @@ void RealRecordingsTest::theLobbyHasAFloorAndWallsAtRightAngles()
 
 void RealRecordingsTest::theLobbysStairIsItsRisersAndNoSlope()
 {
+    QFETCH(const QString, preset);
     // Steps of 0.34 m by 0.16 m; in the middle of the stair the first riser is 5.12 m ahead. The slope over them is 25°
     // steep. Six risers are seen in five slices and more, and of all that is seen of one 0.1 m is high.
-    const auto lobby = planesOf("lobby.csv.gz");
+    const auto lobby = planesOf("lobby.csv.gz", preset);
 
     std::array<int, 6> planesAtRiser{};
     for (const auto& plane : lobby->planes) {
@@ -127,9 +150,11 @@ void RealRecordingsTest::theLobbysStairIsItsRisersAndNoSlope()
 
 void RealRecordingsTest::theDeskHasATopAndWallsBehindIt()
 {
-    const auto desk = planesOf("desk.csv.gz");
+    QFETCH(const QString, preset);
+    const auto desk = planesOf("desk.csv.gz", preset);
 
-    // The stand was not level: the top is tilted against its axes.
+    // The top is level to 2° beam by beam, 8 to 10 cm below the pitch axis: of its few centimetres in front of the
+    // stand, ranges of 0.2 m are off by more than that from side to side.
     const bool top = std::any_of(desk->planes.begin(), desk->planes.end(), [](const auto& plane) {
         return plane->points > 3000 && std::abs(plane->normal.z()) > std::cos(degrees(25.0)) && plane->distance < 0.3;
     });

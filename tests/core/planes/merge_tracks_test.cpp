@@ -50,6 +50,23 @@ Merging apartBy(double chi)
     return Merging({wallBy(300, 355), wallBy(360, 415, shift)});
 }
 
+/// Two walls side by side of which every other slice is a centimetre to the front and to the back, with much less noise
+/// than that; the second is so much farther [m].
+Merging uneven(double shift)
+{
+    Merging merging({}, 0);
+    merging.scan.parameters.noise.rangeConstant = 0.002;
+    merging.scan.parameters.noise.pitch = degrees(0.01);
+    constexpr int kSlices = 30;
+    for (int k = 0; k < kSlices; ++k) {
+        const double stray = k % 2 == 0 ? 0.01 : -0.01;
+        merging.scan.see(degrees(75.0) + k * kTiltStep, {wallBy(300, 355, stray), wallBy(360, 415, stray + shift)});
+    }
+    for (const int column : {0, 1})
+        merging.scan.makePlane(merging.scan.column(column, 0, kSlices - 1), wallBy(300, 415, column * shift));
+    return merging;
+}
+
 }  // namespace
 
 class MergeTracksTest : public QObject {
@@ -78,6 +95,8 @@ private slots:
     void planesAreSolvedBeforeTheyAreCompared();
     void oneLongPlaneIsLeftAlone();
     void mirroredScansMergeAlike();
+    void halvesOfAnUnevenWallAreOne();
+    void unevenWallsThatAreTwoStayTwo();
 };
 
 void MergeTracksTest::halvesOfAWallBecomeOne()
@@ -416,6 +435,29 @@ void MergeTracksTest::mirroredScansMergeAlike()
         const PlaneEstimate& b = mirror.plane(2 - id).estimate;
         QVERIFY(apart(a, {{-b.normal().x(), b.normal().y(), b.normal().z()}, b.distance()}) < 1e-12);
     }
+}
+
+void MergeTracksTest::halvesOfAnUnevenWallAreOne()
+{
+    // 8 mm apart: many times what the noise tells, and less than each strays itself. One plane between them would
+    // explain both (10² + 4²)/10² = 1.16 times as badly, and one that turns towards both less than that.
+    Merging merging = uneven(0.008);
+    QVERIFY(merging.mergeChi(0, 1) > merging.scan.parameters.likelihood.mergeGate);
+
+    merging.merge();
+
+    QCOMPARE(merging.scan.map.planes().size(), std::size_t{1});
+    const Test worse = testOf(merging.merges().at(0).tests, "worse_together");
+    QVERIFY2(worse.pass() && worse.value < 1.16, qPrintable(QString::number(worse.value)));
+}
+
+void MergeTracksTest::unevenWallsThatAreTwoStayTwo()
+{
+    Merging merging = uneven(0.1);
+
+    merging.merge();
+
+    QCOMPARE(merging.scan.map.planes().size(), std::size_t{2});
 }
 
 }  // namespace planewright

@@ -56,6 +56,7 @@ private slots:
     void slicesTooNearForThePitchAreNoSecondChoice();
     void aHeadThatRestsMakesNoPlane();
     void slicesTooNearToTellTheirPlaneGiveWayToFarther();
+    void slicesOfANearSurfaceAreFarEnoughApartForItsScanner();
     void theBestSupportedPlaneComesFirst();
     void decisionsTellTheNumbersCompared();
     void planesGrowOverAllSlicesThatSeeThem();
@@ -358,6 +359,34 @@ void SeedTracksTest::slicesTooNearToTellTheirPlaneGiveWayToFarther()
     QCOMPARE(fits.size(), std::size_t{1});
     QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, 3, 6}));
     QCOMPARE(scan.map.plane(0).members.size(), std::size_t{9});
+}
+
+void SeedTracksTest::slicesOfANearSurfaceAreFarEnoughApartForItsScanner()
+{
+    // A table top 0.15 m below, met 0.2 m away: slices 0.6° apart cut it 3 mm apart, no more than ranges are off
+    // together. Twice that, twice, and at the angle of incidence, turns a plane across l by √2·2·3 mm·sin 45°/l.
+    const Surface top{-Eigen::Vector3d::UnitZ(), 0.15, 300, 420};
+    for (const double systematic : {0.0, 0.003}) {
+        NoddingScan scan;
+        scan.parameters.noise.systematic = systematic;
+        scan.parameters.noise.rangeConstant = 0.002;
+        scan.nod(60, {top}, degrees(30.0), degrees(0.6));
+
+        seed(scan);
+
+        QVERIFY(!scan.map.planes().empty());
+        QVERIFY(apart(scan.map.planes().front().estimate, top) < 1e-6);
+        const std::vector<int> steps = stepsOf(scan.recorded.decisions(DecisionKind::Fit).at(0));
+        QCOMPARE(steps.size(), std::size_t{3});
+        const auto middle = [&](int step) {
+            const SegmentStatistics& s = scan.map.segment(step).statistics;
+            return scan.map.slice(step).frame.pointAt(s.u, s.v);
+        };
+        const double lever = (middle(steps[2]) - middle(steps[0])).norm();
+        const double incidence = scan.map.incidence(steps[2], scan.map.planes().front().estimate);
+        QVERIFY(std::sqrt(2.0) * 2.0 * systematic * incidence / lever < scan.parameters.likelihood.seedAngle);
+        QCOMPARE(steps[2] - steps[0] > 4, systematic > 0.0);
+    }
 }
 
 void SeedTracksTest::theBestSupportedPlaneComesFirst()
