@@ -16,7 +16,6 @@ namespace planewright {
 const std::vector<Preset>& methodPresets()
 {
     static const std::vector<Preset> presets{
-        {"paper", "the published method, with its formulas corrected: raw end points, metric thresholds", {}},
         {"precise",
          "maximum likelihood from all points of a segment, one pitch error a slice, chi-square tests",
          {{"method.estimator", "likelihood"},
@@ -29,6 +28,7 @@ const std::vector<Preset>& methodPresets()
           {"planes.min-segments", "3"},
           {"planes.min-slices", "3"},
           {"planes.max-contested", "0.35"}}},
+        {"paper", "the published method, with its formulas corrected: raw end points, metric thresholds", {}},
     };
     return presets;
 }

@@ -18,8 +18,8 @@ struct Preset {
     std::vector<std::pair<std::string_view, std::string_view>> values;  ///< key and value, as -P takes them
 };
 
-/// The methods: `paper`, the published method with its formulas corrected, whose values are those of `Parameters{}`,
-/// and `precise`, by maximum likelihood. The default is the first.
+/// The methods: `precise`, by maximum likelihood, and `paper`, the published method with its formulas corrected, whose
+/// values are those of `Parameters{}`. The default is the first.
 const std::vector<Preset>& methodPresets();
 
 /// The scanners whose noise is known, by the name that --sensor takes.

@@ -108,7 +108,7 @@ void CliParameterOptionsTest::wrongValuesNameWhatIsAllowed_data()
     QTest::addColumn<int>("code");
     QTest::addColumn<QString>("message");
     QTest::newRow("preset") << QStringList{"--preset", "none"} << 2
-                            << "--preset: 'none' is neither a known name (paper, precise) nor a file";
+                            << "--preset: 'none' is neither a known name (precise, paper) nor a file";
     QTest::newRow("sensor") << QStringList{"--sensor", "none"} << 2
                             << "--sensor: 'none' is neither a known name (utm-30lx, ust-20lx, urg-04lx, sick-lms200) "
                                "nor a file";

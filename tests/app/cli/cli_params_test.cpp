@@ -60,7 +60,7 @@ void CliParamsTest::jsonHasARowForEveryParameter()
 
 void CliParamsTest::showsOne()
 {
-    const ProgramRun run = runProgram({"params", "show", "segments.min-length"});
+    const ProgramRun run = runProgram({"params", "show", "segments.min-length", "--preset", "paper"});
 
     QCOMPARE(run.code, 0);
     QCOMPARE(run.out, QByteArray("key      segments.min-length\n"

@@ -28,7 +28,8 @@ class PresetsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theFirstMethodIsThePublishedOne();
+    void theFirstMethodIsTheMoreAccurateOne();
+    void thePublishedMethodIsThatOfPlainParameters();
     void everyPresetSetsParametersThatExistToAllowedValues();
     void namesAreUnique();
     void aPresetIsFoundByItsName();
@@ -37,9 +38,14 @@ private slots:
     void applyingASensorSetsItsNoiseAndNothingElse();
 };
 
-void PresetsTest::theFirstMethodIsThePublishedOne()
+void PresetsTest::theFirstMethodIsTheMoreAccurateOne()
 {
-    QCOMPARE(methodPresets().front().name, std::string_view("paper"));
+    QCOMPARE(methodPresets().front().name, std::string_view("precise"));
+}
+
+void PresetsTest::thePublishedMethodIsThatOfPlainParameters()
+{
+    QVERIFY(findPreset(methodPresets(), "paper")->values.empty());
 }
 
 void PresetsTest::everyPresetSetsParametersThatExistToAllowedValues()
