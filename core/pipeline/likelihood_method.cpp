@@ -19,7 +19,7 @@ constexpr int kRemainingSlices = 6;
 /// Slices whose planes have had time to settle are that far back.
 constexpr int kSettledSlices = 5;
 /// Range noise is estimated anew when there are so many times the samples.
-constexpr double kSampleGrowth = 1.25;
+constexpr double kSampleGrowth = 1.1;
 
 }  // namespace
 

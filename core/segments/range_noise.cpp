@@ -12,9 +12,9 @@ namespace planewright {
 namespace {
 
 /// Samples of a slice while little is known, how many are much, and samples of a slice from then on.
-constexpr std::size_t kFirstSamples = 128;
+constexpr std::size_t kFirstSamples = 192;
 constexpr std::int64_t kMuch = 2048;
-constexpr std::size_t kLaterSamples = 16;
+constexpr std::size_t kLaterSamples = 32;
 /// What was told counts like so many samples, at each of two ranges [m].
 constexpr double kToldSamples = 24.0;
 constexpr std::array kToldRanges{2.0, 8.0};
