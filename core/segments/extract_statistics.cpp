@@ -201,10 +201,13 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
         trimEnds(piece, parameters.noise);
         clip(piece, parameters.noise);
         LinePiece together;
-        if (kept > 0 && belongTogether(pieces[kept - 1], piece, parameters, slice.bearingStep, together))
+        if (kept > 0 && belongTogether(pieces[kept - 1], piece, parameters, slice.bearingStep, together)) {
             pieces[kept - 1] = together;
-        else
-            pieces[kept++] = piece;
+            continue;
+        }
+        if (&pieces[kept] != &piece)
+            pieces[kept] = piece;
+        ++kept;
     }
     for (std::size_t i = 0; i < kept; ++i) {
         if (pieces[i].moments.count >= static_cast<double>(shortest_))

@@ -34,9 +34,15 @@ std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shorte
             splitRun(first, next - 1, parameters);
         first = next;
     }
-    straight_.clear();
     for (LinePiece& piece : pieces_)
-        divideBent(piece, kDeepestBend, parameters.noise);
+        fitLine(piece, parameters.noise);
+    const auto isBent = [&](const LinePiece& piece) { return bendOf(piece, kDeepestBend) >= 0; };
+    const auto bent = std::find_if(pieces_.begin(), pieces_.end(), isBent);
+    if (bent == pieces_.end())
+        return pieces_;
+    straight_.assign(pieces_.begin(), bent);
+    for (auto piece = bent; piece != pieces_.end(); ++piece)
+        divideBent(*piece, bendOf(*piece, kDeepestBend), kDeepestBend, parameters.noise);
     return straight_;
 }
 
@@ -66,53 +72,74 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
 
     const std::size_t begin = pieces_.size();
     open_.clear();
-    open_.push_back({first, last, 0, {}, -1});
+    open(first, last, 0);
     while (!open_.empty()) {
-        const Open open = open_.back();
-        open_.pop_back();
+        const int from = open_.back().first;
+        const int to = open_.back().last;
+        const int depth = open_.back().depth;
         // Neighbours share their point of division; it belongs to the left one until the border is settled.
-        const bool shared = pieces_.size() > begin && pieces_.back().last == open.first;
-        LinePiece piece;
-        piece.first = shared ? open.first + 1 : open.first;
-        piece.last = open.last;
-        if (piece.points() < shortest_)
+        const bool shared = pieces_.size() > begin && pieces_.back().last == from;
+        const int start = shared ? from + 1 : from;
+        const int count = to - start + 1;
+        if (count < shortest_) {
+            open_.pop_back();
             continue;
-        const ChordF chord = points_->chordOf(open.first, open.last);
-        const int division = points_->kernels().farthest(points, open.first + 1, open.last - 1, chord, limits);
+        }
+        const ChordF chord = points_->chordOf(from, to);
+        const int division = points_->kernels().farthest(points, from + 1, to - 1, chord, limits);
         if (division < 0) {
+            LinePiece& piece = addPiece(start, to);
             piece.moments =
-                open.momentsFirst == piece.first ? open.moments : points_->momentsOf(piece.first, piece.last, chord);
-            pieces_.push_back(piece);
+                open_.back().momentsFirst == start ? open_.back().moments : points_->momentsOf(start, to, chord);
+            open_.pop_back();
             continue;
         }
-        Open left{open.first, division, open.depth + 1, {}, -1};
-        Open right{division, open.last, open.depth + 1, {}, -1};
-        if (piece.points() >= 2 * shortest_ && isDoubtful(chord, division, parameters)) {
-            left.moments = points_->momentsOf(piece.first, division, chord);
-            left.momentsFirst = piece.first;
-            right.moments = points_->momentsOf(division + 1, piece.last, chord);
-            right.momentsFirst = division + 1;
-            piece.moments = left.moments;
-            piece.moments.add(right.moments);
-            const double variance =
-                varianceAcross(static_cast<double>(-chord.directionV), static_cast<double>(chord.directionU),
-                               piece.moments.u, piece.moments.v, parameters.noise);
-            const double apart = axesOf(left.moments).smaller + axesOf(right.moments).smaller;
-            if (isOneLine(piece.moments.count, axesOf(piece.moments).smaller, apart, variance)) {
-                pieces_.push_back(piece);
-                continue;
-            }
+        open_.pop_back();
+        if (depth >= kDeepestDivision) {
+            const int middle = (from + to) / 2;
+            open(middle, to, depth + 1);
+            open(from, middle, depth + 1);
+            continue;
         }
-        if (open.depth >= kDeepestDivision) {
-            const int middle = (open.first + open.last) / 2;
-            left = {open.first, middle, open.depth + 1, {}, -1};
-            right = {middle, open.last, open.depth + 1, {}, -1};
+        open(division, to, depth + 1);
+        open(from, division, depth + 1);
+        if (count < 2 * shortest_ || !isDoubtful(chord, division, parameters))
+            continue;
+        Open& right = open_[open_.size() - 2];
+        Open& left = open_.back();
+        left.moments = points_->momentsOf(start, division, chord);
+        left.momentsFirst = start;
+        right.moments = points_->momentsOf(division + 1, to, chord);
+        right.momentsFirst = division + 1;
+        LineMoments whole = left.moments;
+        whole.add(right.moments);
+        const double variance =
+            varianceAcross(static_cast<double>(-chord.directionV), static_cast<double>(chord.directionU), whole.u,
+                           whole.v, parameters.noise);
+        const double apart = axesOf(left.moments).smaller + axesOf(right.moments).smaller;
+        if (isOneLine(whole.count, axesOf(whole).smaller, apart, variance)) {
+            open_.resize(open_.size() - 2);
+            addPiece(start, to).moments = whole;
         }
-        open_.push_back(right);
-        open_.push_back(left);
     }
     for (std::size_t i = begin + 1; i < pieces_.size(); ++i)
         settleBorder(pieces_[i - 1], pieces_[i], parameters.noise);
+}
+
+void StraightPieces::open(int first, int last, int depth)
+{
+    Open& added = open_.emplace_back();
+    added.first = first;
+    added.last = last;
+    added.depth = depth;
+}
+
+LinePiece& StraightPieces::addPiece(int first, int last)
+{
+    LinePiece& piece = pieces_.emplace_back();
+    piece.first = first;
+    piece.last = last;
+    return piece;
 }
 
 LinePiece StraightPieces::pieceOf(int first, int last) const
@@ -235,24 +262,29 @@ int StraightPieces::bestDivision(const LinePiece& piece) const
     }
 }
 
-/// Appends a piece to the straight ones, divided where two lines explain it much better than one: steps and bends that
-/// are too small for any point to be far from the chord.
-void StraightPieces::divideBent(LinePiece& piece, int depth, const NoiseParameters& noise)
+/// Where a fitted piece is to be divided because two lines explain it much better than one; −1 where it is not.
+int StraightPieces::bendOf(const LinePiece& piece, int depth) const
 {
-    fitLine(piece, noise);
-    if (depth > 0 && piece.points() >= 2 * shortest_) {
-        const int division =
-            piece.line.across > piece.variance * largestChi(piece.moments.count) ? bestDivision(piece) : -1;
-        if (division >= 0) {
-            LinePiece left = pieceOf(piece.first, division - 1);
-            LinePiece right = pieceOf(division, piece.last);
-            settleBorder(left, right, noise);
-            divideBent(left, depth - 1, noise);
-            divideBent(right, depth - 1, noise);
-            return;
-        }
+    const bool mayBe = depth > 0 && piece.points() >= 2 * shortest_ &&
+                       piece.line.across > piece.variance * largestChi(piece.moments.count);
+    return mayBe ? bestDivision(piece) : -1;
+}
+
+/// Appends a fitted piece to the straight ones, divided at a point (−1: whole) and on: steps and bends that are too
+/// small for any point to be far from the chord.
+void StraightPieces::divideBent(const LinePiece& piece, int division, int depth, const NoiseParameters& noise)
+{
+    if (division < 0) {
+        straight_.push_back(piece);
+        return;
     }
-    straight_.push_back(piece);
+    LinePiece left = pieceOf(piece.first, division - 1);
+    LinePiece right = pieceOf(division, piece.last);
+    settleBorder(left, right, noise);
+    for (LinePiece* part : {&left, &right}) {
+        fitLine(*part, noise);
+        divideBent(*part, bendOf(*part, depth - 1), depth - 1, noise);
+    }
 }
 
 }  // namespace planewright

@@ -23,21 +23,25 @@ public:
     std::span<LinePiece> divide(const BeamPoints& points, int shortest, const Parameters& parameters);
 
 private:
+    /// An interval that may have to be divided.
     struct Open {
         int first = 0;
         int last = 0;
         int depth = 0;
-        LineMoments moments;  ///< of the points from momentsFirst on, where they are known
-        int momentsFirst = -1;
+        int momentsFirst = -1;  ///< the moments are of the points from there to the last, where they are known
+        LineMoments moments;
     };
 
+    void open(int first, int last, int depth);
     bool isDoubtful(const ChordF& chord, int division, const Parameters& parameters) const;
     void splitRun(int first, int last, const Parameters& parameters);
+    LinePiece& addPiece(int first, int last);
     LinePiece pieceOf(int first, int last) const;
     LineMoments fewPoints(int first, int last) const;
     void settleBorder(LinePiece& left, LinePiece& right, const NoiseParameters& noise) const;
     int bestDivision(const LinePiece& piece) const;
-    void divideBent(LinePiece& piece, int depth, const NoiseParameters& noise);
+    int bendOf(const LinePiece& piece, int depth) const;
+    void divideBent(const LinePiece& piece, int division, int depth, const NoiseParameters& noise);
 
     const BeamPoints* points_ = nullptr;
     int shortest_ = 0;
