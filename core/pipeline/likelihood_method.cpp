@@ -50,6 +50,17 @@ void LikelihoodMethod::adapt(const Parameters& parameters)
     inUse_.noise.pitch = pitchNoise_.estimate(parameters.noise.pitch);
 }
 
+/// The last fit knows no flatness floor, and what that kept out of the pitch noise is noise to it: covariances would be
+/// too small without it, while decisions on what is a plane are better made with less.
+void LikelihoodMethod::adaptLastFit(const Parameters& parameters)
+{
+    if (!parameters.noise.estimated)
+        return;
+    PitchNoise ofPlanes;
+    ofPlanes.add(map_, map_.slices(), inUse_.noise, inUse_.noise.systematic);
+    inUse_.noise.pitch = ofPlanes.estimate(parameters.noise.pitch);
+}
+
 void LikelihoodMethod::assignToPlanes(const Parameters&, StepRecorder& recorder)
 {
     unassigned_ = joinTracks(map_, inUse_, recorder);
@@ -70,7 +81,7 @@ void LikelihoodMethod::addToClusters(const Parameters&, StepRecorder& recorder)
 void LikelihoodMethod::fitPlanes(const Parameters&, StepRecorder& recorder)
 {
     if (inUse_.noise.estimated)
-        pitchNoise_.add(map_, map_.slices() - kSettledSlices, inUse_);
+        pitchNoise_.add(map_, map_.slices() - kSettledSlices, inUse_.noise, inUse_.flatnessFloor());
     dropYoungGrazing(map_, inUse_, recorder);
     seedTracks(map_, seededSlices_, inUse_, recorder);
     seededSlices_ = map_.slices();
@@ -92,7 +103,7 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
 {
     if (map_.slices() == 0)
         return;
-    pitchNoise_.add(map_, map_.slices(), inUse_);
+    pitchNoise_.add(map_, map_.slices(), inUse_.noise, inUse_.flatnessFloor());
     adapt(parameters);
     mergeTracks(map_, inUse_, recorder);
     splitTracks(map_, inUse_, recorder);
@@ -109,6 +120,7 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
     thinTracks(map_, inUse_, recorder);
     splitContested(map_, inUse_, recorder);
     dropUnfounded(map_, inUse_, recorder);
+    adaptLastFit(parameters);
     refineTracks(map_, inUse_);
     dropOwnedFromClusters();
 }

@@ -30,6 +30,7 @@ public:
 private:
     void dropOwnedFromClusters();
     void adapt(const Parameters& parameters);
+    void adaptLastFit(const Parameters& parameters);
 
     RangeNoise rangeNoise_;
     NoiseParameters rangeFound_;

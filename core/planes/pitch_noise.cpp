@@ -24,7 +24,7 @@ constexpr double kFarthestSigmas = 4.0;
 
 }  // namespace
 
-void PitchNoise::add(TrackMap& map, int end, const Parameters& parameters)
+void PitchNoise::add(TrackMap& map, int end, const NoiseParameters& noise, double floor)
 {
     for (; next_ < end; ++next_) {
         const TrackedSlice& slice = map.slice(next_);
@@ -36,17 +36,17 @@ void PitchNoise::add(TrackMap& map, int end, const Parameters& parameters)
             PlaneTrack& plane = map.plane(s.owner);
             if (plane.slices < kLeastSlices || plane.estimate.normalVariance() > kKnownAngle * kKnownAngle)
                 continue;
-            const PitchEvidence one = plane.estimate.pitchEvidence(map.seenIn(plane, next_), s.statistics,
-                                                                   parameters.noise, parameters.flatnessFloor());
+            const PitchEvidence one =
+                plane.estimate.pitchEvidence(map.seenIn(plane, next_), s.statistics, noise, floor);
             evidence.information += one.information;
             evidence.gradient += one.gradient;
         }
         // What changes slowly from slice to slice is no noise of the pitch but the walls' or the scanner's own form.
-        const bool tells = evidence.information * parameters.noise.pitch * parameters.noise.pitch > 1.0;
+        const bool tells = evidence.information * noise.pitch * noise.pitch > 1.0;
         const double error = tells ? evidence.gradient / evidence.information : 0.0;
         const double variance = tells ? 1.0 / evidence.information : 0.0;
         if (tells && lastTells_) {
-            const double sigma = estimate(parameters.noise.pitch);
+            const double sigma = estimate(noise.pitch);
             const double apart = std::min(std::abs(error - lastError_), kFarthestSigmas * std::sqrt(2.0) * sigma);
             squaredErrors_ += 0.5 * (apart * apart - variance - lastVariance_);
             ++slices_;

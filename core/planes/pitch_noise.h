@@ -11,8 +11,9 @@ namespace planewright {
 /// Finds the noise of the pitch angle from how far whole slices are off the planes that grew over them.
 class PitchNoise {
 public:
-    /// Looks at the slices before `end` that were not looked at yet.
-    void add(TrackMap& map, int end, const Parameters& parameters);
+    /// Looks at the slices before `end` that were not looked at yet, with a floor [m] of what segments may be off as a
+    /// whole: what that may account for is not taken for noise of the pitch.
+    void add(TrackMap& map, int end, const NoiseParameters& noise, double floor);
 
     /// Standard deviation of a slice's pitch [rad]. What was told counts like some slices, so that it holds until there
     /// are more, and the estimate stays between half of it and twice it: planes bend with the slices that they

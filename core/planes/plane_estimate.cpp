@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "core/planes/end_point_cost.h"
+#include "core/segments/line_piece.h"
 
 namespace planewright {
 
@@ -47,6 +48,20 @@ SliceFunction functionOf(const Eigen::Vector3d& direction, const SliceFrame& fra
     return {direction.x(), direction.dot(frame.ahead), direction.dot(frame.origin)};
 }
 
+/// Extent across the ray, in standard deviations of a range, below which it is noise that directs a segment's line.
+constexpr double kDirectedSigmas = 2.0;
+
+/// True where the points are noisier than they are apart: their line may run along the ray, and the noise across it is
+/// next to none then. What the plane says of the noise across itself holds whatever the line's direction.
+inline bool isDirectedByNoise(const SegmentStatistics& s, const NoiseParameters& noise)
+{
+    const double squaredRange = s.u * s.u + s.v * s.v;
+    const double aside = s.length() * (s.u * s.directionV - s.v * s.directionU);
+    const double told =
+        noise.rangeConstant * noise.rangeConstant + noise.rangeProportional * noise.rangeProportional * squaredRange;
+    return aside * aside < kDirectedSigmas * kDirectedSigmas * told * squaredRange;
+}
+
 /// Variances of a segment's distance to the plane at its centroid and of its slope, by the noise of its points.
 struct Variances {
     double place;
@@ -57,6 +72,9 @@ inline Variances variancesOf(const PlaneInSlice& seen, const SegmentStatistics& 
                              const NoiseParameters& noise)
 {
     double steepness = seen.steepness;
+    if (isDirectedByNoise(s, noise))
+        steepness = varianceAcross(seen.distance.u, seen.distance.v, s.u, s.v, noise) /
+                    varianceAcross(-s.directionV, s.directionU, s.u, s.v, noise);
     if (!noise.pitchCommon) {
         // Pitch noise of its own for each point: it adds to the variance of every point.
         const double perPoint = s.offsetInformation / s.points;

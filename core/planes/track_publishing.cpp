@@ -34,6 +34,18 @@ double freedomOf(const PlaneTrack& plane)
     return std::max(1.0, 2.0 * plane.fitted - 3.0);
 }
 
+/// The tangents of an estimate as they are at right angles to its normal, which the last step of the fit has turned: by
+/// so little that the covariance is the same.
+Eigen::Matrix<double, 3, 2> tangentsOf(const PlaneEstimate& estimate)
+{
+    Eigen::Matrix<double, 3, 2> tangents = estimate.tangents();
+    tangents -= estimate.normal() * (estimate.normal().transpose() * tangents);
+    tangents.col(0).normalize();
+    tangents.col(1) -= tangents.col(0) * tangents.col(0).dot(tangents.col(1));
+    tangents.col(1).normalize();
+    return tangents;
+}
+
 }  // namespace
 
 SegmentId idOf(SegmentNumber number, const TrackMap& map)
@@ -107,7 +119,7 @@ std::shared_ptr<const Plane> publishedPlane(PlaneTrack& plane, const TrackMap& m
     shown->fittingError = meanErrorOf(plane);
     shown->rms = rmsOf(plane, map);
     makeCanonical(shown->normal, shown->distance);
-    shown->tangents = plane.estimate.tangents();
+    shown->tangents = tangentsOf(plane.estimate);
     // Where the segments scatter more than their noise tells, so does the plane.
     shown->covariance = std::max(1.0, shown->fittingError) * plane.estimate.covariance();
     shown->segments.reserve(plane.members.size());

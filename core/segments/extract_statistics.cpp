@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/segments/seen_line.h"
 #include "core/types/angle.h"
 
 namespace planewright {
@@ -116,23 +117,24 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, cons
     segment.directionV = line.directionV;
     segment.thickness = line.across / moments.count;
     segment.spread = line.along / moments.count;
-    const double offset = line.normalU() * moments.u + line.normalV() * moments.v;
+    const double away = line.normalU() * moments.u + line.normalV() * moments.v;
+    const double offset = std::copysign(std::max(std::abs(away), kLeastOffset), away);
     const double foot = -(line.directionU * moments.u + line.directionV * moments.v);  // from the centroid
     const double startAlong =
         line.directionU * (points_.u(piece.first) - moments.u) + line.directionV * (points_.v(piece.first) - moments.v);
     const double endAlong = startAlong + line.directionU * spanU + line.directionV * spanV;
+    const SeenLine seen{offset, startAlong - foot, endAlong - foot};
     const double nearest = foot > startAlong && foot < endAlong
                                ? std::abs(offset)
                                : std::min(points_.range(piece.first), points_.range(piece.last));
     const double farthest = std::max(points_.range(piece.first), points_.range(piece.last));
     if (farthest < kOneWeightRatio * nearest || piece.clipped) {
-        // One weight for all points: that of the mean variance along the segment, by Simpson's rule.
-        const auto varianceAt = [&](double along) {
-            return varianceAcross(line.normalU(), line.normalV(), moments.u + along * line.directionU,
-                                  moments.v + along * line.directionV, noise);
-        };
-        const double weight =
-            6.0 / (varianceAt(startAlong) + 4.0 * varianceAt(0.5 * (startAlong + endAlong)) + varianceAt(endAlong));
+        // One weight for all points: that of the mean variance along the segment.
+        const double weight = 1.0 / meanVariance(seen, noise);
+        const double slope = likeliestSlope(line, seen, noise);
+        const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
+        segment.directionU = cosine * (line.directionU + slope * line.normalU());
+        segment.directionV = cosine * (line.directionV + slope * line.normalV());
         segment.offsetInformation = moments.count * weight;
         segment.slopeInformation = line.along * weight;
         segment.chi = line.across * weight;
@@ -141,31 +143,34 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, cons
     } else {
         const ChordF frame{static_cast<float>(moments.u), static_cast<float>(moments.v),
                            static_cast<float>(line.directionU), static_cast<float>(line.directionV)};
-        const WeightModel model{static_cast<float>(std::max(std::abs(offset), 1e-4)), static_cast<float>(foot),
+        const WeightModel model{static_cast<float>(std::abs(offset)), static_cast<float>(foot),
                                 static_cast<float>(std::max(kLeastVariance, square(noise.rangeConstant))),
                                 static_cast<float>(square(noise.rangeProportional)),
                                 static_cast<float>(square(noise.bearing))};
         const ChordSums sums = points_.kernels().weightedSums(points_.arrays(), piece.first, piece.last, frame, model);
+        const WeightBias bias = weightBias(seen, noise);
         const auto w = static_cast<double>(sums.weight);
         const double t = static_cast<double>(sums.t) / w;
         const double h = static_cast<double>(sums.h) / w;
         const double tt = static_cast<double>(sums.tt) - w * t * t;
         const double th = static_cast<double>(sums.th) - w * t * h;
         const double hh = static_cast<double>(sums.hh) - w * h * h;
-        const double slope = th / tt;
+        // What noise makes of Σ w t h: by the weights, and by lying along the line as well as across it.
+        const double ofNoise = w * (bias.moment + (foot - t) * bias.offset) - moments.count * foot / offset;
+        const double slope = (th - ofNoise) / tt;
         const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
         const double sine = slope * cosine;
         // The frame is one of floats; its exact values are taken so that rounding it moves nothing.
         const auto c = static_cast<double>(frame.directionU);
         const auto s = static_cast<double>(frame.directionV);
-        segment.u = static_cast<double>(frame.u) + c * t - s * h;
-        segment.v = static_cast<double>(frame.v) + s * t + c * h;
+        segment.u = static_cast<double>(frame.u) + c * t - s * (h - bias.offset);
+        segment.v = static_cast<double>(frame.v) + s * t + c * (h - bias.offset);
         const double norm = 1.0 / std::sqrt(c * c + s * s);
         segment.directionU = norm * (cosine * c - sine * s);
         segment.directionV = norm * (cosine * s + sine * c);
         segment.offsetInformation = w;
         segment.slopeInformation = tt;
-        segment.chi = std::max(0.0, hh - slope * th);
+        segment.chi = std::max(0.0, hh - slope * (2.0 * th - slope * tt));
         segment.start = startAlong - t;
         segment.end = endAlong - t;
     }

@@ -102,6 +102,7 @@ private slots:
     void oneSegmentDeterminesNoPlane();
     void covarianceIsHonestWithCommonPitchErrors();
     void ownPitchErrorsOfPointsWeighLess();
+    void fewPointsThatNoiseDirectsWeighAsOnThePlane();
     void joinChiHasItsExpectation();
     void aLimitOnlyEndsTheWorkEarly();
     void aSegmentOffThePlaneDoesNotJoin();
@@ -264,6 +265,34 @@ void PlaneEstimateTest::ownPitchErrorsOfPointsWeighLess()
     // Errors of a hundred points average out; that of a slice does not.
     QVERIFY(b.covariance()(2, 2) < a.covariance()(2, 2));
     QVERIFY(b.covariance()(2, 2) > exact.covariance()(2, 2));
+}
+
+void PlaneEstimateTest::fewPointsThatNoiseDirectsWeighAsOnThePlane()
+{
+    // Four points 1 m away on a wall ahead, 4 mm from one to the next, with 30 mm of noise along the ray: their line
+    // may run anywhere, and here it runs along the ray but for 2°. The noise across it is next to none, across the wall
+    // all.
+    NoiseParameters noise{0.03, 0.0, 0.0, 0.0};
+    const SliceFrame frame = frameOf(degrees(90.0), kSensor);
+    const double wall = frame.origin.y() + 1.0;
+    SegmentStatistics segment;
+    segment.points = 4;
+    segment.u = 0.0;
+    segment.v = 1.0;
+    segment.directionU = std::sin(degrees(2.0));
+    segment.directionV = std::cos(degrees(2.0));
+    segment.start = -0.04;
+    segment.end = 0.04;
+    segment.offsetInformation = 4.0 / std::pow(0.03 * std::sin(degrees(2.0)), 2);
+    segment.slopeInformation = segment.offsetInformation * 1e-3;
+    PlaneEstimate estimate(Eigen::Vector3d::UnitY(), wall);
+    const PlaneInSlice seen = estimate.inSlice(frame);
+
+    const double chi = estimate.residualChi(seen, segment, noise, 0.0);
+
+    // On the wall, but for the slope: inclination cos 2°, variance that of the wall, 1 / (4/0.03² · 1e-3).
+    const double expected = std::pow(std::cos(degrees(2.0)), 2) * 4.0 / (0.03 * 0.03) * 1e-3;
+    QVERIFY2(std::abs(chi - expected) < 1e-9, qPrintable(QString::number(chi)));
 }
 
 void PlaneEstimateTest::joinChiHasItsExpectation()
