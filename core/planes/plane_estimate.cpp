@@ -268,7 +268,10 @@ PitchEvidence PlaneEstimate::pitchEvidence(const PlaneInSlice& seen, const Segme
 double mostVariance(const SegmentStatistics& segment, const Eigen::Vector3d& centroid, const NoiseParameters& noise,
                     double floor)
 {
-    return 1.0 / segment.offsetInformation + floor * floor + noise.pitch * noise.pitch * centroid.squaredNorm();
+    const double squaredRange = segment.u * segment.u + segment.v * segment.v;
+    const double ofPoint = noise.rangeVariance(std::sqrt(squaredRange)) + noise.bearing * noise.bearing * squaredRange;
+    return std::max(1.0 / segment.offsetInformation, ofPoint / segment.points) + floor * floor +
+           noise.pitch * noise.pitch * centroid.squaredNorm();
 }
 
 double PlaneEstimate::mergeChi(const PlaneEstimate& other, double floor, double extent, double scatter,
