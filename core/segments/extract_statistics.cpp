@@ -21,6 +21,8 @@ constexpr int kTrimmedPoints = 2;
 constexpr double kTrimSigmas = 2.5;
 /// The variance across the common line of two pieces is surely less than so many times the larger of theirs.
 constexpr double kRoughly = 4.0;
+/// Fewer points tell too little of their scatter to say how noise turned their line.
+constexpr double kScatterPoints = 9.0;
 /// A single weight serves a segment whose ranges differ by less than this factor.
 constexpr double kOneWeightRatio = 1.6;
 
@@ -131,7 +133,7 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, cons
     if (farthest < kOneWeightRatio * nearest || piece.clipped) {
         // One weight for all points: that of the mean variance along the segment.
         const double weight = 1.0 / meanVariance(seen, noise);
-        const double slope = likeliestSlope(line, seen, noise);
+        const double slope = moments.count < kScatterPoints ? 0.0 : likeliestSlope(line, seen, noise);
         const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
         segment.directionU = cosine * (line.directionU + slope * line.normalU());
         segment.directionV = cosine * (line.directionV + slope * line.normalV());
