@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How much memory an extraction takes beside its recording, and how often it asks for some.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <malloc.h>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/params/presets.h"
+#include "core/pipeline/plane_extractor.h"
+#include "core/simulation/nodding_scanner.h"
+#include "tests/benchmarks/scoring.h"
+
+using namespace planewright;
+
+namespace {
+
+/// What this program has asked of the heap.
+struct Heap {
+    std::int64_t held = 0;  ///< [bytes], as the allocator rounds them
+    std::int64_t most = 0;
+    std::int64_t requests = 0;
+};
+Heap heap;
+
+void* taken(void* block)
+{
+    if (block == nullptr)
+        throw std::bad_alloc{};
+    heap.held += static_cast<std::int64_t>(malloc_usable_size(block));
+    heap.most = std::max(heap.most, heap.held);
+    ++heap.requests;
+    return block;
+}
+
+void given(void* block) noexcept
+{
+    heap.held -= static_cast<std::int64_t>(malloc_usable_size(block));
+    std::free(block);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size)
+{
+    return taken(std::malloc(size));
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+    const auto step = static_cast<std::size_t>(alignment);
+    return taken(std::aligned_alloc(step, (size + step - 1) / step * step));
+}
+
+void operator delete(void* block) noexcept
+{
+    given(block);
+}
+
+void operator delete(void* block, std::size_t) noexcept
+{
+    given(block);
+}
+
+void operator delete(void* block, std::align_val_t) noexcept
+{
+    given(block);
+}
+
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept
+{
+    given(block);
+}
+
+namespace {
+
+struct Options {
+    std::string preset = "precise";
+    std::string settings = "largest";
+    std::vector<std::string> scenes{"corridor", "office", "hall", "curved", "stairs", "clutter"};
+};
+
+/// What one extraction asked of the heap.
+struct Usage {
+    double most = 0.0;             ///< at any time beside the recording [MB]
+    double kept = 0.0;             ///< after the last pass [MB]
+    std::vector<double> requests;  ///< of each slice
+    std::size_t segments = 0;
+    std::size_t planes = 0;
+};
+
+/// With a snapshot of each step the newest is held, as a window does.
+Usage usageOf(const Recording& recording, const Parameters& parameters, bool snapshots)
+{
+    constexpr double kMegabyte = 1e6;
+    Usage usage;
+    usage.requests.reserve(recording.slices.size());
+    const Heap before = heap;
+    heap.most = heap.held;
+    PlaneExtractor extractor(sensorOf(recording.description), parameters);
+    std::shared_ptr<const Snapshot> newest;
+    for (const ScanSlice& slice : recording.slices) {
+        const std::int64_t asked = heap.requests;
+        if (snapshots)
+            newest = extractor.step(slice);
+        else
+            extractor.advance(slice);
+        usage.requests.push_back(static_cast<double>(heap.requests - asked));
+    }
+    newest = extractor.finish();
+    usage.most = static_cast<double>(heap.most - before.held) / kMegabyte;
+    usage.kept = static_cast<double>(heap.held - before.held) / kMegabyte;
+    usage.segments = newest->segments.segmentCount();
+    usage.planes = newest->planes.size();
+    return usage;
+}
+
+/// How many of the slices, after the first few, took the heap's time at all.
+double shareThatAsks(const std::vector<double>& requests)
+{
+    constexpr std::ptrdiff_t kFirstSlices = 8;
+    const auto asks = std::count_if(requests.begin() + kFirstSlices, requests.end(), [](double n) { return n > 0.0; });
+    return static_cast<double>(asks) / static_cast<double>(requests.end() - requests.begin() - kFirstSlices);
+}
+
+Result<void> report(const Options& options)
+{
+    const auto settings = acquisitionSettings(options.settings);
+    if (!settings)
+        return tl::unexpected{settings.error()};
+    const Preset* preset = findPreset(methodPresets(), options.preset);
+    if (preset == nullptr)
+        return fail(ErrorCode::Usage, "No preset is called '" + options.preset + "'.");
+    Parameters parameters;
+    apply(*preset, parameters);
+    std::printf(
+        "%s, %s\n\n| scene | segments | planes | most [MB] | kept [MB] | most, with snapshots [MB] | requests a "
+        "slice, median | most | slices that ask |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        options.preset.c_str(), options.settings.c_str());
+    for (const std::string& name : options.scenes) {
+        const auto scene = makeScene(name, 1);
+        if (!scene)
+            return tl::unexpected{scene.error()};
+        const SimulatedScan scan = simulate(*scene, *settings, *simulationNoise("default"), 1);
+        const Usage bare = usageOf(scan.recording, parameters, false);
+        const Usage shown = usageOf(scan.recording, parameters, true);
+        std::printf("| %s | %zu | %zu | %.2f | %.2f | %.2f | %.0f | %.0f | %.0f %% |\n", name.c_str(), bare.segments,
+                    bare.planes, bare.most, bare.kept, shown.most, median(bare.requests),
+                    *std::max_element(bare.requests.begin(), bare.requests.end()),
+                    100.0 * shareThatAsks(bare.requests));
+        std::fflush(stdout);
+    }
+    return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App program{"How much memory an extraction takes beside its recording, and how often it asks for some",
+                     "memory_report"};
+    Options options;
+    program.add_option("--preset", options.preset, "preset of the method")->capture_default_str();
+    program.add_option("--settings", options.settings, "how the scan is taken")->capture_default_str();
+    program.add_option("--scenes", options.scenes, "rooms");
+    CLI11_PARSE(program, argc, argv);
+    const Result<void> done = report(options);
+    if (done)
+        return 0;
+    std::fprintf(stderr, "memory_report: %s\n", done.error().message.c_str());
+    return 1;
+}
