@@ -16,6 +16,7 @@ using Command = std::function<Result<ExitCode>()>;
 
 /// Each adds a subcommand with its options to the program; parsing a command line that chooses it sets `chosen`.
 void addExtractCommand(CLI::App& program, Command& chosen);
+void addCalibrateCommand(CLI::App& program, Command& chosen);
 void addSimulateCommand(CLI::App& program, Command& chosen);
 void addConvertCommand(CLI::App& program, Command& chosen);
 void addInfoCommand(CLI::App& program, Command& chosen);

@@ -22,6 +22,7 @@
 #include "core/formats/planes_mesh.h"
 #include "core/formats/points_files.h"
 #include "core/formats/segments_files.h"
+#include "core/geometry/correct_recording.h"
 #include "core/pipeline/complete_labels.h"
 
 namespace planewright {
@@ -164,6 +165,7 @@ Result<ExitCode> extract(const ExtractOptions& options)
     if (!parameters)
         return tl::unexpected{parameters.error()};
     extraction.parameters = *parameters;
+    correctRecording(extraction.recording, parameters->sensor);
 
     ExtractionPlan work{options.repeats, {}};
     if (history != nullptr) {

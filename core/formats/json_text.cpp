@@ -3,7 +3,9 @@
 
 #include "core/formats/json_text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -27,8 +29,18 @@ void appendJsonNumber(std::string& json, double value)
 
 void appendJsonParameters(std::string& json, const Parameters& parameters)
 {
+    std::vector<std::string_view> keys;
+    for (const ParameterRow& row : parameterRows())
+        keys.push_back(row.key);
+    appendJsonParameters(json, parameters, keys);
+}
+
+void appendJsonParameters(std::string& json, const Parameters& parameters, std::span<const std::string_view> keys)
+{
     char before = '{';
     for (const ParameterRow& row : parameterRows()) {
+        if (std::find(keys.begin(), keys.end(), row.key) == keys.end())
+            continue;
         json += before;
         before = ',';
         appendJsonText(json, row.key);

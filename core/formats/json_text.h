@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,8 @@ void appendJsonNumber(std::string& json, double value);
 
 /// Appends all parameters as a JSON object, in the unit that people see: numbers, words of a choice, switches.
 void appendJsonParameters(std::string& json, const Parameters& parameters);
+
+/// The same with some parameters only, by their keys and in the order of the table.
+void appendJsonParameters(std::string& json, const Parameters& parameters, std::span<const std::string_view> keys);
 
 }  // namespace planewright

@@ -74,4 +74,12 @@ Result<void> writePresetFile(std::ostream& out, const Parameters& parameters)
     return written(out);
 }
 
+Result<void> writePresetFile(std::ostream& out, const Parameters& parameters, std::span<const std::string_view> keys)
+{
+    std::string text = R"({"format":"planewright-preset 1","parameters":)";
+    appendJsonParameters(text, parameters, keys);
+    out << text << "}\n";
+    return written(out);
+}
+
 }  // namespace planewright

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <iosfwd>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "core/params/parameters.h"
 #include "core/types/error.h"
@@ -19,5 +21,8 @@ Result<void> readPresetFile(std::istream& in, const std::string& fileName, Param
 
 /// Writes all parameters as such a file; readPresetFile reads them back. Errors: NotWritten.
 Result<void> writePresetFile(std::ostream& out, const Parameters& parameters);
+
+/// The same with some parameters only, by their keys.
+Result<void> writePresetFile(std::ostream& out, const Parameters& parameters, std::span<const std::string_view> keys);
 
 }  // namespace planewright

@@ -54,6 +54,41 @@ struct NoiseParameters {
     }
 };
 
+/// What a calibration has found out about the scanner: corrections of what its recordings say; all zero, none.
+struct SensorParameters {
+    double pitchZero = 0.0;
+    double rangeOffset = 0.0;
+    double leverArmCorrection = 0.0;
+    double sweepTurn = 0.0;
+    double pitchDelay = 0.0;
+
+    /// True where a recording is right as it is.
+    bool correctsNothing() const
+    {
+        return pitchZero == 0.0 && rangeOffset == 0.0 && leverArmCorrection == 0.0 && sweepTurn == 0.0 &&
+               pitchDelay == 0.0;
+    }
+
+    static constexpr auto describe()
+    {
+        return std::tuple{
+            Parameter{"sensor.pitch-zero", &SensorParameters::pitchZero, Unit::Angle,
+                      Range{degrees(-45.0), degrees(45.0)}, "", "Is added to every measured pitch."},
+            Parameter{"sensor.range-offset", &SensorParameters::rangeOffset, Unit::Metre, Range{-1.0, 1.0}, "",
+                      "Is added to every return."},
+            Parameter{"sensor.lever-arm-correction", &SensorParameters::leverArmCorrection, Unit::Metre,
+                      Range{-1.0, 1.0}, "d_l",
+                      "Is added to the distance from the pitch axis to the laser that the recording gives."},
+            Parameter{"sensor.sweep-turn", &SensorParameters::sweepTurn, Unit::None, Range{-4.0, 4.0}, "",
+                      "How far the head nods on while the laser sweeps, in steps from slice to slice, beyond what the "
+                      "recording says."},
+            Parameter{"sensor.pitch-delay", &SensorParameters::pitchDelay, Unit::None, Range{-4.0, 4.0}, "",
+                      "How far the head nods on between the moment of the measured pitch and the first beam, in steps "
+                      "from slice to slice."},
+        };
+    }
+};
+
 /// Tolerances of line-segment extraction (section 4.1).
 struct SegmentParameters {
     double incidenceLimit = degrees(10.0);
@@ -355,6 +390,7 @@ struct ScheduleParameters {
 struct Parameters {
     MethodParameters method;
     NoiseParameters noise;
+    SensorParameters sensor;
     SegmentParameters segments;
     AssignmentParameters assignment;
     ClusterParameters clusters;
@@ -372,13 +408,15 @@ struct Parameters {
     /// The parts in the order in which people see them.
     static constexpr auto parts()
     {
-        return std::tuple{&Parameters::method,   &Parameters::noise,  &Parameters::segments,   &Parameters::assignment,
-                          &Parameters::clusters, &Parameters::planes, &Parameters::likelihood, &Parameters::schedule};
+        return std::tuple{&Parameters::method,   &Parameters::noise,      &Parameters::sensor,
+                          &Parameters::segments, &Parameters::assignment, &Parameters::clusters,
+                          &Parameters::planes,   &Parameters::likelihood, &Parameters::schedule};
     }
 };
 
 static_assert(defaultsAreInRange<MethodParameters>());
 static_assert(defaultsAreInRange<NoiseParameters>());
+static_assert(defaultsAreInRange<SensorParameters>());
 static_assert(defaultsAreInRange<SegmentParameters>());
 static_assert(defaultsAreInRange<AssignmentParameters>());
 static_assert(defaultsAreInRange<ClusterParameters>());

@@ -34,6 +34,8 @@ std::span<const Room> rooms()
         {"core/pipeline",
          {"core/types", "core/params", "core/geometry", "core/segments", "core/clusters", "core/planes"},
          kNumbers},
+        // Calibration asks the planes that an extraction has found, and extracts again with what they tell.
+        {"core/calibration", {"core/types", "core/params", "core/geometry", "core/pipeline"}, kNumbers},
         {"core/mapping",
          {"core/types", "core/params", "core/geometry", "core/segments", "core/clusters", "core/planes"},
          kNumbers + Names{"ceres/"}},

@@ -46,7 +46,7 @@ QString text(std::string_view view)
 void RegistryTest::everyKeyIsNamedOnceAfterItsPart()
 {
     const QRegularExpression form(
-        "^(method|noise|segments|assignment|clusters|planes|likelihood|schedule)\\.[a-z]+(-[a-z]+)*$");
+        "^(method|noise|sensor|segments|assignment|clusters|planes|likelihood|schedule)\\.[a-z]+(-[a-z]+)*$");
     std::set<std::string_view> keys;
     for (const ParameterRow& row : parameterRows()) {
         QVERIFY2(form.match(text(row.key)).hasMatch(), qPrintable(text(row.key)));
