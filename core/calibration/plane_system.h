@@ -61,6 +61,8 @@ public:
     double bend() const { return bend_; }                  ///< found: of a common plane, at its rim [m]
 
 private:
+    static constexpr int kPitch = kScannerErrors;                 // place of the pitch in a segment's equations
+    static constexpr int kPlane = kScannerErrors + 1;             // place of its plane there
     static constexpr int kOfPlane = 6;                            // two tangent angles, d, bend
     static constexpr int kLocal = kScannerErrors + 1 + kOfPlane;  // errors, pitch, plane
 
