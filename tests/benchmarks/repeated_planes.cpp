@@ -45,25 +45,6 @@ LabelGrid labelsNextTo(const Extracted& other, const Extracted& extracted)
     return grid;
 }
 
-/// What is left of a plane from the one to the other, in the first's tangents.
-RepeatedPlane movedFrom(std::shared_ptr<const Plane> first, std::shared_ptr<const Plane> second, Share share)
-{
-    RepeatedPlane repeated;
-    const double side = first->normal.dot(second->normal) < 0.0 ? -1.0 : 1.0;
-    repeated.moved.head<2>() = first->tangents.transpose() * (side * second->normal - first->normal);
-    repeated.moved[2] = side * second->distance - first->distance;
-    // A turn of both normals to the other side turns all three unknowns: covariances stay what they are.
-    Eigen::Matrix3d toFirst = Eigen::Matrix3d::Zero();
-    toFirst.topLeftCorner<2, 2>() = first->tangents.transpose() * second->tangents;
-    toFirst(2, 2) = 1.0;
-    const Eigen::Matrix3d seconds = toFirst * second->covariance * toFirst.transpose();
-    repeated.covariance = share == Share::Nothing ? Eigen::Matrix3d(first->covariance + seconds)
-                                                  : Eigen::Matrix3d(first->covariance - seconds);
-    repeated.first = std::move(first);
-    repeated.second = std::move(second);
-    return repeated;
-}
-
 }  // namespace
 
 double RepeatedPlane::angleSigma() const
@@ -87,27 +68,50 @@ Extracted extractFrom(const Recording& recording, Slices slices, const Parameter
     return extracted;
 }
 
-std::vector<RepeatedPlane> repeatedPlanes(const Extracted& first, const Extracted& second, Share share, double overlap,
-                                          int minPoints)
+std::optional<RepeatedPlane> movedBetween(std::shared_ptr<const Plane> first, std::shared_ptr<const Plane> second,
+                                          Share share)
+{
+    RepeatedPlane repeated;
+    const double side = first->normal.dot(second->normal) < 0.0 ? -1.0 : 1.0;
+    repeated.moved.head<2>() = first->tangents.transpose() * (side * second->normal - first->normal);
+    repeated.moved[2] = side * second->distance - first->distance;
+    // A turn of both normals to the other side turns all three unknowns: covariances stay what they are.
+    Eigen::Matrix3d toFirst = Eigen::Matrix3d::Zero();
+    toFirst.topLeftCorner<2, 2>() = first->tangents.transpose() * second->tangents;
+    toFirst(2, 2) = 1.0;
+    const Eigen::Matrix3d seconds = toFirst * second->covariance * toFirst.transpose();
+    repeated.covariance = share == Share::Nothing ? Eigen::Matrix3d(first->covariance + seconds)
+                                                  : Eigen::Matrix3d(first->covariance - seconds);
+    const Eigen::LLT<Eigen::Matrix3d> factor(repeated.covariance);
+    if (factor.info() != Eigen::Success)
+        return std::nullopt;
+    repeated.squared = repeated.moved.dot(factor.solve(repeated.moved));
+    repeated.first = std::move(first);
+    repeated.second = std::move(second);
+    return repeated;
+}
+
+Repetition repeatedPlanes(const Extracted& first, const Extracted& second, Share share, double overlap, int minPoints)
 {
     const LabelGrid firsts = labelsOf(*first.found, first.recording);
     const LabelGrid seconds = labelsNextTo(first, second);
     const auto compared =
         compareLabels(firsts, seconds, comparedOf(*first.found), comparedOf(*second.found), {overlap, 0});
-    std::vector<RepeatedPlane> repeated;
+    Repetition repetition;
     if (!compared)
-        return repeated;
+        return repetition;
     for (const RegionMatch& match : compared->correct) {
         if (match.b.size() > 1)
             continue;  // of coplanar pieces none is the same plane
-        RepeatedPlane plane = movedFrom(planeOf(match.a, *first.found), planeOf(match.b.front(), *second.found), share);
-        const Eigen::LLT<Eigen::Matrix3d> factor(plane.covariance);
-        if (plane.first->points < minPoints || factor.info() != Eigen::Success)
+        auto plane = planeOf(match.a, *first.found);
+        if (plane->points < minPoints)
             continue;
-        plane.squared = plane.moved.dot(factor.solve(plane.moved));
-        repeated.push_back(std::move(plane));
+        if (auto moved = movedBetween(std::move(plane), planeOf(match.b.front(), *second.found), share))
+            repetition.planes.push_back(std::move(*moved));
+        else
+            ++repetition.withoutCovariance;
     }
-    return repeated;
+    return repetition;
 }
 
 }  // namespace planewright

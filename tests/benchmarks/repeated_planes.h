@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -46,9 +47,19 @@ enum class Share {
     Half      ///< the first's slices are among the second's: what the second knows more is the difference
 };
 
+/// How far a plane moved from one estimate to the other, in the first's tangents; nothing where the covariance of the
+/// difference is not positive.
+std::optional<RepeatedPlane> movedBetween(std::shared_ptr<const Plane> first, std::shared_ptr<const Plane> second,
+                                          Share share);
+
+/// What two extractions have in common.
+struct Repetition {
+    std::vector<RepeatedPlane> planes;
+    int withoutCovariance = 0;  ///< pairs left out because the covariance of their difference is not positive
+};
+
 /// The planes of two extractions that are one: regions of neighbouring slices that share so much of either, and
-/// planes of the first of at least so many points. Pairs whose difference has no positive covariance are left out.
-std::vector<RepeatedPlane> repeatedPlanes(const Extracted& first, const Extracted& second, Share share, double overlap,
-                                          int minPoints);
+/// planes of the first of at least so many points.
+Repetition repeatedPlanes(const Extracted& first, const Extracted& second, Share share, double overlap, int minPoints);
 
 }  // namespace planewright
