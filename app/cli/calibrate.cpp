@@ -273,7 +273,6 @@ void addCalibrateCommand(CLI::App& program, Command& chosen)
     CLI::App& command = *program.add_subcommand(
         "calibrate", "pitch zero, range offset, lever arm and timing of a scanner, from the planes of its own scans");
     auto options = std::make_shared<CalibrateOptions>();
-    options->parameters.preset = "precise";
     command.add_option("INPUT", options->inputs, "recordings of one scanner (.csv or .csv.gz)")->required();
     command.add_option("-o", options->output, "sensor file to write, for --sensor of every command")->type_name("FILE");
     command

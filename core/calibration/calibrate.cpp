@@ -12,6 +12,7 @@
 #include "core/calibration/plane_system.h"
 #include "core/calibration/seen_planes.h"
 #include "core/geometry/correct_recording.h"
+#include "core/types/square.h"
 
 namespace planewright {
 
@@ -35,11 +36,6 @@ constexpr double kLevel = degrees(1.0);
 constexpr double kLeans = 3.0;
 /// Delays that are tried at first where the head nods both ways [steps].
 constexpr std::array kTriedDelays{0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5};
-
-double square(double x)
-{
-    return x * x;
-}
 
 double SensorParameters::*memberOf(int error)
 {

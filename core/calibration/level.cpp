@@ -10,7 +10,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
+#include "core/calibration/robust_spread.h"
 #include "core/types/angle.h"
+#include "core/types/square.h"
 
 namespace planewright {
 
@@ -35,11 +37,6 @@ struct Used {
     double deviation;  // [rad]
     double sigma;      // of its normal [rad]
 };
-
-double square(double x)
-{
-    return x * x;
-}
 
 /// Angle by which a plane is neither level nor plumb.
 double deviationOf(const Eigen::Vector3d& normal, const Eigen::Vector3d& up, bool& isLevel)
@@ -165,26 +162,6 @@ Solution solve(const System& system, const Eigen::MatrixXd& planes, const Eigen:
     return solution;
 }
 
-/// Standard deviation by which planes stray beside what is not known of them: it makes the median of their normalised
-/// deviations that of normal deviates. Found by halving.
-double spreadOf(const std::vector<Used>& used)
-{
-    constexpr double kMedianSquare = 0.4549;
-    double low = 0.0;
-    double high = kNear;
-    for (int halving = 0; halving < 20; ++halving) {
-        const double middle = 0.5 * (low + high);
-        std::vector<double> squares;
-        squares.reserve(used.size());
-        for (const Used& plane : used)
-            squares.push_back(square(plane.deviation) / (square(plane.sigma) + square(middle)));
-        const auto half = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-        std::nth_element(squares.begin(), half, squares.end());
-        (*half > kMedianSquare ? low : high) = middle;
-    }
-    return low;
-}
-
 /// The planes that are level or plumb but for what is not known of them and for a spread [rad].
 std::vector<Used> nearlyLevelOrPlumb(const PlanesEstimate& planes, const Eigen::Vector3d& up, double spread)
 {
@@ -198,6 +175,15 @@ std::vector<Used> nearlyLevelOrPlumb(const PlanesEstimate& planes, const Eigen::
             used.push_back(plane);
     }
     return used;
+}
+
+/// By how much planes stray from level and plumb, beside what is not known of them [rad].
+double spreadAbout(const Eigen::Vector3d& up, const PlanesEstimate& planes)
+{
+    std::vector<Deviation> deviations;
+    for (const Used& plane : nearlyLevelOrPlumb(planes, up, kNear / kOutlier))
+        deviations.push_back({square(plane.deviation), square(plane.sigma)});
+    return spreadOf(deviations, kNear);
 }
 
 }  // namespace
@@ -224,7 +210,7 @@ std::optional<Level> findLevel(const SeenPlanes& seen, const PlanesEstimate& pla
             solution = solve(system, planes.covariance, up, allowed);
         }
         up += Eigen::Vector3d{solution.move.x(), solution.move.y(), 0.0};
-        spread = std::max({tolerance, degrees(0.02), spreadOf(nearlyLevelOrPlumb(planes, up, kNear / kOutlier))});
+        spread = std::max({tolerance, degrees(0.02), spreadAbout(up, planes)});
     }
     if (std::sqrt(solution.covariance(1, 1)) > kUseful)
         return std::nullopt;

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/calibration/plane_system.h"
+#include "core/types/square.h"
 
 namespace planewright {
 
@@ -12,11 +13,6 @@ namespace {
 
 /// Directions with a smaller share of the largest information tell nothing but rounding.
 constexpr double kLeastShare = 1e-9;
-
-double square(double x)
-{
-    return x * x;
-}
 
 }  // namespace
 
@@ -26,14 +22,14 @@ PlaneSystem::Equations PlaneSystem::equationsOf(std::size_t number) const
     Equations sum;
     const bool common = seen_.noise.pitchCommon && pitchNoise_ > 0.0;
     for (std::size_t i = 0; i < seen_.slices.size(); ++i) {
-        Local own{Eigen::Matrix<double, kLocal, kLocal>::Zero(), Eigen::Matrix<double, kLocal, 1>::Zero()};
+        Equations own;
         bool seenHere = false;
         for (std::size_t j = seen_.slices[i].first; j < seen_.slices[i].end; ++j) {
             if (seen_.segments[j].plane != number)
                 continue;
             own.information += locals_[j].information;
             own.gradient += locals_[j].gradient;
-            sum.weight += informations_[j];
+            sum.weight += locals_[j].weight;
             seenHere = true;
         }
         if (!seenHere)

@@ -10,7 +10,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
+#include "core/calibration/robust_spread.h"
 #include "core/geometry/sensor_model.h"
+#include "core/geometry/tangents.h"
+#include "core/types/square.h"
 
 namespace planewright {
 
@@ -29,31 +32,10 @@ constexpr double kMostBend = 0.01;
 constexpr double kCommonBends = 3.0;
 /// What was told of the pitch noise counts like so many slices.
 constexpr double kToldSlices = 8.0;
-/// The median of the square and of the size of a standard normal deviate.
-constexpr double kMedianSquare = 0.4549;
+/// No segment is off its plane as a whole by more [m].
+constexpr double kMostSegmentNoise = 0.1;
+/// The median of the size of a standard normal deviate.
 constexpr double kMedianSize = 0.6745;
-
-double square(double x)
-{
-    return x * x;
-}
-
-double medianOf(std::vector<double>& values)
-{
-    if (values.empty())
-        return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-Eigen::Matrix<double, 3, 2> tangentsOf(const Eigen::Vector3d& normal)
-{
-    Eigen::Matrix<double, 3, 2> tangents;
-    tangents.col(0) = normal.unitOrthogonal();
-    tangents.col(1) = normal.cross(tangents.col(0));
-    return tangents;
-}
 
 }  // namespace
 
@@ -73,7 +55,6 @@ PlaneSystem::PlaneSystem(SeenPlanes seen) : seen_(std::move(seen))
     locals_.resize(seen_.segments.size());
     offsets_.assign(seen_.segments.size(), 0.0);
     means_.assign(seen_.segments.size(), 0.0);
-    informations_.assign(seen_.segments.size(), 0.0);
     pitchNoise_ = seen_.noise.pitch;
     segmentNoise_ = seen_.noise.systematic;
 }
@@ -108,7 +89,7 @@ void PlaneSystem::measure(PlaneState& plane, std::size_t number) const
     plane.axes = plane.tangents / reach;
 }
 
-PlaneSystem::Local PlaneSystem::localOf(const SeenSlice& slice, double pitchError, std::size_t number)
+PlaneSystem::Equations PlaneSystem::localOf(const SeenSlice& slice, double pitchError, std::size_t number)
 {
     const SeenSegment& segment = seen_.segments[number];
     const PlaneState& plane = planes_[segment.plane];
@@ -118,7 +99,7 @@ PlaneSystem::Local PlaneSystem::localOf(const SeenSlice& slice, double pitchErro
     const double turn = slice.turn + errors_[static_cast<int>(ScannerError::SweepTurn)] * slice.rate;
     const double first = slice.tilt + pitchError + errors_[static_cast<int>(ScannerError::PitchDelay)] * slice.rate;
 
-    Local local{Eigen::Matrix<double, kLocal, kLocal>::Zero(), Eigen::Matrix<double, kLocal, 1>::Zero()};
+    Equations local;
     Eigen::Matrix<double, kLocal, 1> offset = Eigen::Matrix<double, kLocal, 1>::Zero();
     double weights = 0.0;
     double weighted = 0.0;
@@ -171,12 +152,12 @@ PlaneSystem::Local PlaneSystem::localOf(const SeenSlice& slice, double pitchErro
         weights += weight;
         weighted += weight * residual;
     }
+    local.weight = weights;
     // A segment that is off as a whole counts less: it is of something else, however well its points agree.
     if (moved_ && weights > 0.0) {
         const double sigmas = std::abs(means_[number]) / std::sqrt(1.0 / weights + square(segmentNoise_));
         const double trust = sigmas > kFarthest ? 0.0 : std::min(1.0, kHuber / std::max(sigmas, 1e-9));
         means_[number] = weighted / weights;
-        informations_[number] = weights;
         local.information *= trust;
         local.gradient *= trust;
         offset *= trust;
@@ -184,7 +165,6 @@ PlaneSystem::Local PlaneSystem::localOf(const SeenSlice& slice, double pitchErro
         weighted *= trust;
     } else {
         means_[number] = weights > 0.0 ? weighted / weights : 0.0;
-        informations_[number] = weights;
     }
     if (segmentNoise_ > 0.0) {
         const double k = 1.0 / (weights + 1.0 / square(segmentNoise_));
@@ -205,7 +185,7 @@ void PlaneSystem::accumulate(std::size_t number)
     state.gradient = common ? state.pitchError / square(pitchNoise_) : 0.0;
     state.coupling.setZero(information_.rows());
     for (std::size_t i = slice.first; i < slice.end; ++i) {
-        Local local = locals_[i] = localOf(slice, state.pitchError, i);
+        Equations local = locals_[i] = localOf(slice, state.pitchError, i);
         local.information *= planes_[seen_.segments[i].plane].trust;
         local.gradient *= planes_[seen_.segments[i].plane].trust;
         const Eigen::Index plane = placeOf(seen_.segments[i].plane);
@@ -300,20 +280,12 @@ void PlaneSystem::learnNoise()
 
     rangeScale_ = std::max(1.0, medianOf(sizes_) / kMedianSize);
 
-    // The variance that makes the median of the normalised means that of normal deviates; found by halving.
-    std::vector<double> squaresOfMeans;
-    double low = 0.0;
-    double high = 0.1;
-    for (int halving = 0; halving < 20; ++halving) {
-        const double middle = 0.5 * (low + high);
-        squaresOfMeans.clear();
-        for (std::size_t i = 0; i < means_.size(); ++i) {
-            if (informations_[i] > 0.0)
-                squaresOfMeans.push_back(square(means_[i]) / (square(middle) + 1.0 / informations_[i]));
-        }
-        (medianOf(squaresOfMeans) > kMedianSquare ? low : high) = middle;
+    std::vector<Deviation> means;
+    for (std::size_t i = 0; i < means_.size(); ++i) {
+        if (locals_[i].weight > 0.0)
+            means.push_back({square(means_[i]), 1.0 / locals_[i].weight});
     }
-    segmentNoise_ = std::max(seen_.noise.systematic, low);
+    segmentNoise_ = std::max(seen_.noise.systematic, spreadOf(means, kMostSegmentNoise));
 }
 
 /// Takes the sizes of bends as those that walls have: of a common plane, and of each that has more reason to be bent.

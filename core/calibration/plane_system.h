@@ -56,9 +56,7 @@ public:
     PlanesEstimate planes(const ErrorMatrix& errors) const;
 
     const SeenPlanes& seen() const { return seen_; }
-    double pitchNoise() const { return pitchNoise_; }      ///< found [rad]
-    double segmentNoise() const { return segmentNoise_; }  ///< found: what segments are off as a whole [m]
-    double bend() const { return bend_; }                  ///< found: of a common plane, at its rim [m]
+    double pitchNoise() const { return pitchNoise_; }  ///< found [rad]
 
 private:
     static constexpr int kPitch = kScannerErrors;                 // place of the pitch in a segment's equations
@@ -66,15 +64,11 @@ private:
     static constexpr int kOfPlane = 6;                            // two tangent angles, d, bend
     static constexpr int kLocal = kScannerErrors + 1 + kOfPlane;  // errors, pitch, plane
 
-    /// A segment's normal equations in the errors, the pitch of its slice and its plane.
-    struct Local {
-        Eigen::Matrix<double, kLocal, kLocal> information;
-        Eigen::Matrix<double, kLocal, 1> gradient;
-    };
+    /// Normal equations in the errors, the pitch of a slice and one plane.
     struct Equations {
         Eigen::Matrix<double, kLocal, kLocal> information = Eigen::Matrix<double, kLocal, kLocal>::Zero();
         Eigen::Matrix<double, kLocal, 1> gradient = Eigen::Matrix<double, kLocal, 1>::Zero();
-        double weight = 0.0;  // [1/m²]
+        double weight = 0.0;  // of the points, before they are trusted less as a whole [1/m²]
     };
     struct SliceState {
         double pitchError = 0.0;
@@ -100,7 +94,7 @@ private:
     }
 
     void measure(PlaneState& plane, std::size_t number) const;
-    Local localOf(const SeenSlice& slice, double pitchError, std::size_t segment);
+    Equations localOf(const SeenSlice& slice, double pitchError, std::size_t segment);
     void accumulate(std::size_t slice);
     Equations equationsOf(std::size_t plane) const;
     void learnNoise();
@@ -109,16 +103,15 @@ private:
     SeenPlanes seen_;
     std::vector<PlaneState> planes_;
     std::vector<SliceState> slices_;
-    std::vector<Local> locals_;         // of the segments
-    std::vector<double> offsets_;       // what each segment is off [m]
-    std::vector<double> means_;         // mean residual of each segment [m]
-    std::vector<double> informations_;  // of that mean [1/m²]
-    std::vector<double> sizes_;         // of normalised residuals
+    std::vector<Equations> locals_;  // of the segments
+    std::vector<double> offsets_;    // what each segment is off [m]
+    std::vector<double> means_;      // mean residual of each segment [m]
+    std::vector<double> sizes_;      // of normalised residuals
     ErrorVector errors_ = ErrorVector::Zero();
     double pitchNoise_ = 0.0;
-    double segmentNoise_ = 0.0;
-    double bend_ = 0.0;
-    double rangeScale_ = 1.0;  // of the ranges' standard deviation
+    double segmentNoise_ = 0.0;  // what segments are off as a whole [m]
+    double bend_ = 0.0;          // of a common plane, at its rim [m]
+    double rangeScale_ = 1.0;    // of the ranges' standard deviation
     bool moved_ = false;
 
     Eigen::MatrixXd information_;  // of errors and planes

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <tuple>
 
@@ -289,6 +290,9 @@ struct LikelihoodParameters {
     double stripWidth = 0.12;
     double stripShare = 0.6;
     double bentShare = 0.5;
+
+    /// Largest χ² over its degrees of freedom that a plane plausibly has.
+    double largestReducedChi(double freedom) const { return 1.0 + splitSigmas * std::sqrt(2.0 / freedom); }
 
     static constexpr auto describe()
     {

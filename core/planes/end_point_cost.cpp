@@ -26,17 +26,6 @@ Eigen::Matrix3d withFlatness(const Eigen::Matrix3d& covariance, const PlaneParam
 
 }  // namespace
 
-Eigen::Matrix<double, 3, 2> tangentsOf(const Eigen::Vector3d& normal)
-{
-    // The axis least along the normal gives the best conditioned first tangent.
-    Eigen::Index least = 0;
-    normal.cwiseAbs().minCoeff(&least);
-    Eigen::Matrix<double, 3, 2> tangents;
-    tangents.col(0) = normal.cross(Eigen::Vector3d::Unit(least)).normalized();
-    tangents.col(1) = normal.cross(tangents.col(0));
-    return tangents;
-}
-
 double endPointWeight(const Eigen::Vector3d& normal, const EndPoint& point, const PlaneParameters& parameters)
 {
     if (parameters.cost == PlaneCost::Foot)

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "core/geometry/tangents.h"
 #include "core/params/parameters.h"
 
 namespace planewright {
@@ -14,9 +15,6 @@ struct EndPoint {
     Eigen::Vector3d position;    ///< p [m]
     Eigen::Matrix3d covariance;  ///< C, Eq. (15) [m²]
 };
-
-/// Two tangent vectors of a unit normal, orthonormal with it: n ← n + B·angles stays a unit vector to first order.
-Eigen::Matrix<double, 3, 2> tangentsOf(const Eigen::Vector3d& normal);
 
 /// 1/σ² of an end point's distance to a plane of this unit normal, with the flatness of real walls added to C.
 ///

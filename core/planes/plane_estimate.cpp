@@ -9,7 +9,7 @@
 
 #include <Eigen/LU>
 
-#include "core/planes/end_point_cost.h"
+#include "core/geometry/tangents.h"
 #include "core/segments/line_piece.h"
 
 namespace planewright {

@@ -107,11 +107,6 @@ double reducedChi(PlaneTrack& plane, TrackMap& map, const Parameters& parameters
     return chi / freedomOf(plane);
 }
 
-double largestReducedChi(const PlaneTrack& plane, const Parameters& parameters)
-{
-    return 1.0 + parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedomOf(plane));
-}
-
 }  // namespace
 
 void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
@@ -155,7 +150,7 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
     for (PlaneTrack& plane : map.planes()) {
         const std::size_t before = plane.members.size();
         while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
-            const double limit = largestReducedChi(plane, parameters);
+            const double limit = parameters.likelihood.largestReducedChi(freedomOf(plane));
             const double reduced = reducedChi(plane, map, parameters);
             if (reduced <= limit)
                 break;
@@ -196,7 +191,7 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
              plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSlices)},
             {"free_strip_share", narrow ? strip.freeShare : 0.0, Comparison::LessEqual, p.stripShare},
             {"reduced_chi2", plane.members.size() <= kThinned ? reducedChi(plane, map, parameters) : 0.0,
-             Comparison::LessEqual, largestReducedChi(plane, parameters)},
+             Comparison::LessEqual, parameters.likelihood.largestReducedChi(freedomOf(plane))},
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
             {"incidence", map.meanIncidence(plane), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };

@@ -68,7 +68,7 @@ double meanErrorOf(const PlaneTrack& plane)
 
 double largestMeanError(const PlaneTrack& plane, const Parameters& parameters)
 {
-    return 1.0 + parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedomOf(plane));
+    return parameters.likelihood.largestReducedChi(freedomOf(plane));
 }
 
 Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, const NoiseParameters& noise)

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/segments/breakpoints.h"
+#include "core/types/square.h"
 
 namespace planewright {
 
@@ -18,11 +19,6 @@ namespace {
 constexpr int kFollowedBeams = 4;
 /// Elements that the loops over points may read after the last.
 constexpr std::size_t kReadAhead = 15;
-
-double square(double x)
-{
-    return x * x;
-}
 
 }  // namespace
 

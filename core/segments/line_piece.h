@@ -8,6 +8,7 @@
 
 #include "core/params/parameters.h"
 #include "core/segments/line_moments.h"
+#include "core/types/square.h"
 
 namespace planewright {
 
@@ -27,11 +28,6 @@ struct LinePiece {
 inline constexpr double kLeastVariance = 1e-12;
 /// Points farther than this from their line are left out where the line explains its points badly.
 inline constexpr double kClipSigmas = 3.0;
-
-inline double square(double x)
-{
-    return x * x;
-}
 
 /// Variance of a point across a line of this normal [m²], times the squared length of the normal: range noise along the
 /// ray, bearing noise across it.

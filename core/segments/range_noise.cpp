@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/types/square.h"
+
 namespace planewright {
 
 namespace {
@@ -42,11 +44,6 @@ std::size_t eighthsAbove(float x, int lowest, std::size_t count)
 double eighth(std::size_t i)
 {
     return std::ldexp(1.0 + static_cast<double>(i % 8) / 8.0, kLowestSize + static_cast<int>(i / 8));
-}
-
-double square(double x)
-{
-    return x * x;
 }
 
 }  // namespace

@@ -41,13 +41,14 @@ std::vector<SliceMembers> membersOf(const Plane& plane, const Extracted& whole,
     for (const SegmentId& id : plane.segments) {
         const LineSegment& wanted = whole.found->segments[id];
         const std::size_t slice = whole.found->segments.find(id.step);
+        const ScanSlice& scan = whole.recording.slices[slice];
         const auto same = std::find_if(statistics[slice].begin(), statistics[slice].end(), [&](const auto& s) {
             return s.firstBeam == wanted.firstBeam && s.lastBeam == wanted.lastBeam;
         });
         if (same == statistics[slice].end())
             continue;
         if (members.empty() || members.back().slice != slice)
-            members.push_back({slice, frameOf(whole.recording.slices[slice].tilt, sensor), {}});
+            members.push_back({slice, frameOf(scan.tiltAt(scan.ranges.size() / 2), sensor), {}});
         members.back().segments.push_back(*same);
     }
     return members;

@@ -9,10 +9,10 @@
 
 #include "core/evaluation/compare_planes.h"
 #include "core/geometry/correct_recording.h"
-#include "core/params/presets.h"
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
 #include "core/simulation/scene_builder.h"
+#include "tests/core/params/preset_parameters.h"
 
 namespace planewright {
 
@@ -30,13 +30,6 @@ constexpr bool kWatched = true;
 #else
 constexpr bool kWatched = false;
 #endif
-
-Parameters precise()
-{
-    Parameters parameters;
-    apply(*findPreset(methodPresets(), "precise"), parameters);
-    return parameters;
-}
 
 /// What a scanner with these errors reports: the corrections undo them. Its sweeps have no end pitch.
 Recording reported(Recording recording, const SensorParameters& corrections)
