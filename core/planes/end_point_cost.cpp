@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace planewright {

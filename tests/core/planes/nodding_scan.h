@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/planes/track_map.h"
+#include "core/planes/track_stages.h"
 #include "tests/core/params/preset_parameters.h"
 #include "tests/core/planes/recorded_decisions.h"
 #include "tests/core/planes/seen_statistics.h"
@@ -19,6 +20,9 @@ using Numbers = std::vector<SegmentNumber>;
 
 /// A wall 4 m ahead that beams 320 to 400 meet.
 inline const Surface kWall{};
+
+/// A wall 3 m to the left.
+inline const Surface kSideWall{Eigen::Vector3d{-1.0, 0.0, 0.0}, 3.0, 560, 620};
 
 /// The same wall met by other beams, or one so much farther [m].
 inline Surface wallBy(int firstBeam, int lastBeam, double shift = 0.0)
@@ -155,6 +159,12 @@ inline PlaneEstimate solvedFrom(const PlaneEstimate& start, const std::vector<Se
     }
     estimate.solve();
     return estimate;
+}
+
+/// Makes planes of what is free in a scan's slices from one on.
+inline void seed(NoddingScan& scan, int firstSlice = 0)
+{
+    seedTracks(scan.map, firstSlice, scan.parameters, scan.recorded.recorder);
 }
 
 /// Whether two estimates and their covariances are the same but for rounding.

@@ -14,14 +14,6 @@
 namespace planewright {
 namespace {
 
-/// A wall 3 m to the left.
-const Surface kSideWall{Eigen::Vector3d{-1.0, 0.0, 0.0}, 3.0, 560, 620};
-
-void seed(NoddingScan& scan, int firstSlice = 0)
-{
-    seedTracks(scan.map, firstSlice, scan.parameters, scan.recorded.recorder);
-}
-
 /// Surfaces as a mirror shows them: x turns round, and with it the order of the beams.
 std::vector<Surface> mirrored(std::vector<Surface> surfaces)
 {
@@ -51,18 +43,8 @@ private slots:
     void newestOfThreeIsOfTheSlicesAskedFor();
     void aPlaneMetAtAGrazingAngleIsNone_data();
     void aPlaneMetAtAGrazingAngleIsNone();
-    void slicesOfAHypothesisAreFarEnoughApartForThePitch_data();
-    void slicesOfAHypothesisAreFarEnoughApartForThePitch();
-    void slicesTooNearForThePitchAreNoSecondChoice();
-    void aHeadThatRestsMakesNoPlane();
-    void slicesTooNearToTellTheirPlaneGiveWayToFarther();
-    void slicesOfANearSurfaceAreFarEnoughApartForItsScanner();
     void theBestSupportedPlaneComesFirst();
     void decisionsTellTheNumbersCompared();
-    void planesGrowOverAllSlicesThatSeeThem();
-    void planesGrowAcrossGaps_data();
-    void planesGrowAcrossGaps();
-    void planesGrowToNoSegmentBesideThem();
     void aMirroredScanHasTheMirroredPlanes();
     void aTurnedScanHasTheTurnedPlanes();
     void youngPlanesThatTurnedIntoTheirSlicesAreDropped();
@@ -279,116 +261,6 @@ void SeedTracksTest::youngPlanesThatTurnedIntoTheirSlicesAreDropped()
     }
 }
 
-void SeedTracksTest::slicesOfAHypothesisAreFarEnoughApartForThePitch_data()
-{
-    QTest::addColumn<double>("pitchSigma");
-    QTest::addColumn<int>("slices");
-
-    // Slices 0.1° apart; two standard deviations of the pitch lie between those of a hypothesis.
-    QTest::newRow("0.04 degrees: each slice") << 0.04 << 1;
-    QTest::newRow("0.12 degrees: each third") << 0.12 << 3;
-    QTest::newRow("0.32 degrees: each seventh") << 0.32 << 7;
-    QTest::newRow("0.72 degrees: each fifteenth") << 0.72 << 15;
-}
-
-void SeedTracksTest::slicesOfAHypothesisAreFarEnoughApartForThePitch()
-{
-    QFETCH(const double, pitchSigma);
-    QFETCH(const int, slices);
-    NoddingScan scan;
-    scan.parameters.noise.pitch = degrees(pitchSigma);
-    scan.parameters.likelihood.seedAngle = degrees(45.0);
-    scan.nod(2 * slices + 1, {kWall}, degrees(85.0), degrees(0.1));
-
-    seed(scan);
-
-    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
-    QCOMPARE(fits.size(), std::size_t{1});
-    QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, slices, 2 * slices}));
-    // One slice less is not enough.
-    NoddingScan fewer = scan;
-    fewer.map = {};
-    fewer.nod(2 * slices, {kWall}, degrees(85.0), degrees(0.1));
-    seed(fewer);
-    QVERIFY(fewer.map.planes().empty());
-}
-
-void SeedTracksTest::slicesTooNearForThePitchAreNoSecondChoice()
-{
-    // Slices 0.51° apart where the pitch is known to 0.7°: each third counts, and those are on no plane.
-    NoddingScan scan;
-    scan.parameters.noise.pitch = degrees(0.7);
-    scan.parameters.likelihood.seedAngle = degrees(45.0);
-    scan.nod(7, {kWall}, degrees(85.0), degrees(0.51));
-    for (SegmentNumber number = 0; number < 4; ++number)
-        disturb(scan.map.segment(number).statistics, 0.0, degrees(5.0 * number));
-
-    seed(scan);
-
-    QVERIFY(scan.map.planes().empty());
-}
-
-void SeedTracksTest::aHeadThatRestsMakesNoPlane()
-{
-    NoddingScan scan;
-    scan.nod(100, {kWall}, degrees(85.0), 0.0);
-
-    seed(scan);
-
-    QVERIFY(scan.map.planes().empty());
-}
-
-void SeedTracksTest::slicesTooNearToTellTheirPlaneGiveWayToFarther()
-{
-    // Slices 0.2° apart, a little more than twice the pitch's sigma; far off, three of them tell no normal to 3°.
-    NoddingScan scan;
-    scan.parameters.likelihood.seedAngle = degrees(3.0);
-    scan.nod(9, {kWall}, degrees(85.0), degrees(0.2));
-    const auto sigma = [&](const Numbers& members) {
-        return std::sqrt(
-            solvedFrom(PlaneEstimate(kWall.normal, kWall.distance), members, scan.map, scan.parameters.noise, 0.0)
-                .normalVariance());
-    };
-    QVERIFY(sigma({0, 1, 2}) > scan.parameters.likelihood.seedAngle);
-    QVERIFY(sigma({0, 3, 6}) < scan.parameters.likelihood.seedAngle);
-
-    seed(scan);
-
-    // Half a degree is next: three slices of 0.2°.
-    const auto fits = scan.recorded.decisions(DecisionKind::Fit);
-    QCOMPARE(fits.size(), std::size_t{1});
-    QVERIFY((stepsOf(fits[0]) == std::vector<int>{0, 3, 6}));
-    QCOMPARE(scan.map.plane(0).members.size(), std::size_t{9});
-}
-
-void SeedTracksTest::slicesOfANearSurfaceAreFarEnoughApartForItsScanner()
-{
-    // A table top 0.15 m below, met 0.2 m away: slices 0.6° apart cut it 3 mm apart, no more than ranges are off
-    // together. Twice that, twice, and at the angle of incidence, turns a plane across l by √2·2·3 mm·sin 45°/l.
-    const Surface top{-Eigen::Vector3d::UnitZ(), 0.15, 300, 420};
-    for (const double systematic : {0.0, 0.003}) {
-        NoddingScan scan;
-        scan.parameters.noise.systematic = systematic;
-        scan.parameters.noise.rangeConstant = 0.002;
-        scan.nod(60, {top}, degrees(30.0), degrees(0.6));
-
-        seed(scan);
-
-        QVERIFY(!scan.map.planes().empty());
-        QVERIFY(apart(scan.map.planes().front().estimate, top) < 1e-6);
-        const std::vector<int> steps = stepsOf(scan.recorded.decisions(DecisionKind::Fit).at(0));
-        QCOMPARE(steps.size(), std::size_t{3});
-        const auto middle = [&](int step) {
-            const SegmentStatistics& s = scan.map.segment(step).statistics;
-            return scan.map.slice(step).frame.pointAt(s.u, s.v);
-        };
-        const double lever = (middle(steps[2]) - middle(steps[0])).norm();
-        const double incidence = scan.map.incidence(steps[2], scan.map.planes().front().estimate);
-        QVERIFY(std::sqrt(2.0) * 2.0 * systematic * incidence / lever < scan.parameters.likelihood.seedAngle);
-        QCOMPARE(steps[2] - steps[0] > 4, systematic > 0.0);
-    }
-}
-
 void SeedTracksTest::theBestSupportedPlaneComesFirst()
 {
     NoddingScan scan;
@@ -424,70 +296,6 @@ void SeedTracksTest::decisionsTellTheNumbersCompared()
     QVERIFY(std::abs(sigma.value / std::sqrt(expected.normalVariance()) - 1.0) < 1e-3);
     QCOMPARE(chi.limit, scan.parameters.likelihood.seedGate);
     QCOMPARE(sigma.limit, scan.parameters.likelihood.seedAngle);
-}
-
-void SeedTracksTest::planesGrowOverAllSlicesThatSeeThem()
-{
-    // Fine steps: the three first segments are far apart, and others lie between, before and after them.
-    NoddingScan scan;
-    scan.nod(5, {}, degrees(84.0), degrees(0.2));
-    scan.nod(20, {kWall, kSideWall}, degrees(85.0), degrees(0.2));
-    scan.nod(5, {}, degrees(89.0), degrees(0.2));
-
-    seed(scan);
-
-    QCOMPARE(scan.map.planes().size(), std::size_t{2});
-    for (const PlaneTrack& plane : scan.map.planes())
-        QCOMPARE(plane.members.size(), std::size_t{20});
-    QVERIFY2(disagreement(scan.map).empty(), disagreement(scan.map).c_str());
-    QVERIFY(apart(scan.map.plane(0).estimate, kWall) < 1e-9);
-    QVERIFY(apart(scan.map.plane(1).estimate, kSideWall) < 1e-9);
-}
-
-void SeedTracksTest::planesGrowAcrossGaps_data()
-{
-    QTest::addColumn<int>("missing");
-    QTest::addColumn<double>("tiltStep");
-    QTest::addColumn<bool>("bridged");
-
-    QTest::newRow("one slice") << 1 << 1.16 << true;
-    QTest::newRow("two slices") << 2 << 1.16 << false;
-    QTest::newRow("two of a fine scan") << 2 << 0.25 << true;
-    QTest::newRow("three of a fine scan") << 3 << 0.25 << false;
-}
-
-void SeedTracksTest::planesGrowAcrossGaps()
-{
-    QFETCH(const int, missing);
-    QFETCH(const double, tiltStep);
-    QFETCH(const bool, bridged);
-    for (const bool atTheEnd : {false, true}) {
-        NoddingScan scan;
-        for (int k = 0; k < 12; ++k) {
-            const int fromTheEnd = atTheEnd ? 11 - k : k;
-            const bool hidden = fromTheEnd >= 1 && fromTheEnd <= missing;
-            scan.see(degrees(85.0 + k * tiltStep), hidden ? std::vector<Surface>{} : std::vector{kWall});
-        }
-
-        seed(scan);
-
-        QCOMPARE(scan.map.planes().size(), std::size_t{1});
-        const std::size_t visible = 12 - static_cast<std::size_t>(missing);
-        QCOMPARE(scan.map.plane(0).members.size(), bridged ? visible : visible - 1);
-    }
-}
-
-void SeedTracksTest::planesGrowToNoSegmentBesideThem()
-{
-    NoddingScan scan;
-    scan.nod(4, {kWall});
-    scan.see(degrees(85.0) + 4 * kTiltStep, {wallBy(330, 360, 0.1), wallBy(404, 440)});
-
-    seed(scan);
-
-    QVERIFY((scan.map.plane(0).members == Numbers{0, 1, 2, 3}));
-    QCOMPARE(scan.map.segment(4).owner, kNoPlane);
-    QCOMPARE(scan.map.segment(5).owner, kNoPlane);
 }
 
 void SeedTracksTest::aMirroredScanHasTheMirroredPlanes()
