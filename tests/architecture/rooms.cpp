@@ -50,16 +50,18 @@ std::span<const Room> rooms()
         {"devices/replay", {"core/types", "core/formats", "devices"}, kNumbers},
         {"devices", {"core/types", "devices/transport"}, kNumbers},
 
-        {"ui/models", {"core"}, kNumbers + Names{"Q"}},
-        {"ui/scene", {"core"}, kNumbers + Names{"vtk"}},
-        {"ui", {"core", "ui/models", "ui/scene"}, kNumbers + Names{"Q", "vtk"}},
+        {"ui/common", {"core"}, kNumbers},
+        {"ui/models", {"core", "ui/common"}, kNumbers + Names{"Q"}},
+        {"ui/scene", {"core", "ui/common"}, kNumbers + Names{"vtk"}},
+        {"ui", {"core", "ui/common", "ui/models", "ui/scene"}, kNumbers + Names{"Q", "vtk"}},
 
         // The command line links no widget and no picture.
         {"app/cli",
          {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "app/session"},
          kNumbers + Names{"CLI/", "spdlog/", "nlohmann/", "Qt", "unistd.h", "sys/", "fcntl.h"}},
         {"app",
-         {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "ui", "ui/models", "ui/scene"},
+         {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "ui", "ui/common", "ui/models",
+          "ui/scene"},
          {""}},
     };
     return all;
