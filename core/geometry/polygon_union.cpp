@@ -119,8 +119,8 @@ std::vector<Group> groupsApart(const std::vector<PlanarRing>& rings, double marg
 
 /// The union of paths that follow each other: parts first, because neighbours melt into few edges.
 ///
-/// Holes below an area are left out: neither more paths nor closing cracks makes a hole larger, and Clipper's time grows
-/// with the square of the paths side by side, which slivers between strips are by the thousand.
+/// Holes below an area are left out: neither more paths nor closing cracks makes a hole larger, and Clipper's time
+/// grows with the square of the paths side by side, which slivers between strips are by the thousand.
 Paths unite(std::span<const Path> paths, double smallestHole)
 {
     ClipperLib::Clipper clipper;

@@ -53,7 +53,8 @@ std::span<const Room> rooms()
         {"ui/common", {"core"}, kNumbers},
         {"ui/models", {"core", "ui/common"}, kNumbers + Names{"Q"}},
         {"ui/scene", {"core", "ui/common"}, kNumbers + Names{"vtk"}},
-        {"ui", {"core", "ui/common", "ui/models", "ui/scene"}, kNumbers + Names{"Q", "vtk"}},
+        {"ui/opengl", {"core/types"}, Names{"tl/expected.hpp", "vtk", "GL/", "EGL/", "dlfcn.h"}},
+        {"ui", {"core", "ui/common", "ui/models", "ui/opengl", "ui/scene"}, kNumbers + Names{"Q", "vtk"}},
 
         // The command line links no widget and no picture.
         {"app/cli",
@@ -61,7 +62,7 @@ std::span<const Room> rooms()
          kNumbers + Names{"CLI/", "spdlog/", "nlohmann/", "Qt", "unistd.h", "sys/", "fcntl.h"}},
         {"app",
          {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "ui", "ui/common", "ui/models",
-          "ui/scene"},
+          "ui/opengl", "ui/scene"},
          {""}},
     };
     return all;
