@@ -30,7 +30,7 @@ constexpr std::array<ClassColour, 5> kClasses{{{"floor", {140, 95, 50}},
 std::string metres(double value)
 {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.1f m", value);
+    std::snprintf(text.data(), text.size(), "%.1f m", std::abs(value) < 0.05 ? 0.0 : value);  // no "-0.0"
     return text.data();
 }
 

@@ -36,8 +36,9 @@ PlaneLayer::PlaneLayer(vtkRenderer* renderer)
         *actor = makeActor();
         renderer->AddActor(*actor);
     }
-    for (const auto& actor : {outlines_, selected_, selectedInner_})
-        drawInFront(actor);
+    drawInFront(outlines_, 1);
+    drawInFront(selected_, 2);
+    drawInFront(selectedInner_, 3);
     fill_->ForceTranslucentOn();
 }
 

@@ -72,13 +72,13 @@ vtkSmartPointer<vtkActor> makeActor()
     return actor;
 }
 
-void drawInFront(vtkActor* actor)
+void drawInFront(vtkActor* actor, int rank)
 {
-    constexpr double kUnits = -4.0;
+    const double units = -4.0 * rank;
     auto* mapper = actor->GetMapper();
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
-    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, kUnits);
-    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(kUnits);
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, units);
+    mapper->SetRelativeCoincidentTopologyPointOffsetParameter(units);
 }
 
 }  // namespace planewright

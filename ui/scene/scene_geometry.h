@@ -47,7 +47,7 @@ private:
 /// An actor without light that shows its geometry's own colours.
 vtkSmartPointer<vtkActor> makeActor();
 
-/// Pulls an actor's lines and points in front of areas at the same place.
-void drawInFront(vtkActor* actor);
+/// Pulls an actor's lines and points in front of areas at the same place, and of lines of a lower rank.
+void drawInFront(vtkActor* actor, int rank = 1);
 
 }  // namespace planewright

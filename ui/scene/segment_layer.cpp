@@ -67,6 +67,9 @@ SegmentLayer::SegmentLayer(vtkRenderer* renderer)
         drawInFront(*actor);
         renderer->AddActor(*actor);
     }
+    drawInFront(selected_, 2);
+    drawInFront(selectedInner_, 3);
+    ellipsoids_->ForceTranslucentOn();
 }
 
 void SegmentLayer::update(const ShownMap& map, const SegmentOwners& owners, const Colouring& colouring,
@@ -101,8 +104,8 @@ void SegmentLayer::update(const ShownMap& map, const SegmentOwners& owners, cons
                 outer.addLine(segment.start, segment.end, colours.selection);
                 inner.addLine(segment.start, segment.end, colours.selectionInner);
                 const double opacity = settings[Layer::Uncertainty].opacity;
-                addEllipsoid(ellipsoids, segment.start, segment.startCovariance, colour, opacity);
-                addEllipsoid(ellipsoids, segment.end, segment.endCovariance, colour, opacity);
+                addEllipsoid(ellipsoids, segment.start, segment.startCovariance, colours.sensor, opacity);
+                addEllipsoid(ellipsoids, segment.end, segment.endCovariance, colours.sensor, opacity);
             }
         }
     }
