@@ -227,7 +227,7 @@ Result<ExitCode> runCalibration(const CalibrateOptions& options)
     std::vector<Recording> recordings;
     bool damaged = false;
     for (const std::string& input : options.inputs) {
-        Result<ReadRecording> read = readRecordingFile(input);
+        Result<RecordingFile> read = readRecordingFile(input);
         if (!read)
             return tl::unexpected{read.error()};
         damaged = damaged || read->damaged;
@@ -273,7 +273,7 @@ void addCalibrateCommand(CLI::App& program, Command& chosen)
     CLI::App& command = *program.add_subcommand(
         "calibrate", "pitch zero, range offset, lever arm and timing of a scanner, from the planes of its own scans");
     auto options = std::make_shared<CalibrateOptions>();
-    command.add_option("INPUT", options->inputs, "recordings of one scanner (.csv or .csv.gz)")->required();
+    command.add_option("INPUT", options->inputs, "recordings of one scanner (.csv, .csv.gz or .pwscan)")->required();
     command.add_option("-o", options->output, "sensor file to write, for --sensor of every command")->type_name("FILE");
     command
         .add_option("--level", options->level,

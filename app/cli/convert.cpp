@@ -15,12 +15,13 @@ namespace {
 
 struct ConvertOptions {
     std::string input, output;
+    int scan = -1;  ///< the last
     bool overwrite = false;
 };
 
 Result<ExitCode> convert(const ConvertOptions& options)
 {
-    const auto suffix = suffixOf(options.output, kRecordingSuffixes, "a recording");
+    const auto suffix = checkRecordingTarget(options.output);
     if (!suffix)
         return tl::unexpected{suffix.error()};
     OutputFiles files{options.overwrite};
@@ -28,11 +29,13 @@ Result<ExitCode> convert(const ConvertOptions& options)
     const auto file = files.open(options.output);
     if (!file)
         return tl::unexpected{file.error()};
-    const auto input = readRecordingFile(options.input);
+    RecordingChoice choice = chosenScan(options.scan);
+    choice.keepsSuspects = *suffix == kPwscanSuffix;
+    const auto input = readRecordingFile(options.input, choice);
     if (!input)
         return tl::unexpected{input.error()};
-    Result<void> written = (*file)->write(
-        [&](std::ostream& out) { return writeRecordingCsv(out, input->recording, *suffix == ".csv.gz"); });
+    Result<void> written =
+        (*file)->write([&](std::ostream& out) { return writeRecording(out, input->recording, *suffix, input->notes); });
     if (written)
         written = files.publish();
     if (!written)
@@ -46,8 +49,9 @@ void addConvertCommand(CLI::App& program, Command& chosen)
 {
     CLI::App& command = *program.add_subcommand("convert", "a recording in another format");
     auto options = std::make_shared<ConvertOptions>();
-    command.add_option("IN", options->input, "recording (.csv or .csv.gz)")->required();
+    command.add_option("IN", options->input, "recording (.csv, .csv.gz or .pwscan)")->required();
     command.add_option("OUT", options->output, "file to write; its suffix tells the format")->required();
+    addScanOption(command, options->scan);
     command.add_flag("--overwrite", options->overwrite, "replace an output file that exists");
     command.callback([options, &chosen] { chosen = [options] { return convert(*options); }; });
 }

@@ -31,6 +31,7 @@ namespace {
 
 struct ExtractOptions {
     std::string input;
+    int scan = -1;   ///< the last
     int until = -1;  ///< all steps
     std::vector<std::string> planes;
     std::string segments, points, labels, history, stats;
@@ -133,6 +134,25 @@ Result<void> keepUntil(Recording& recording, int until)
     return {};
 }
 
+/// What the scan was extracted with while it ran, as far as the command line does not say otherwise.
+Result<std::vector<ParametersFrom>> parametersOverSteps(const RecordingFile& input, std::string_view scanner,
+                                                        const ExtractOptions& options)
+{
+    std::vector<ParametersFrom> stored;
+    if (input.notes && options.parameters.preset.empty()) {
+        auto read = readParameterEvents(input.notes->events, options.input);
+        if (!read)
+            return read;
+        stored = std::move(*read);
+        // As if the scan had ended there; the first set is in force from the beginning, whatever its step.
+        if (options.until >= 0 && !stored.empty())
+            stored.erase(std::find_if(stored.begin() + 1, stored.end(),
+                                      [&](const ParametersFrom& from) { return from.step > options.until; }),
+                         stored.end());
+    }
+    return parametersInForce(options.parameters, scanner, std::move(stored));
+}
+
 Result<ExitCode> extract(const ExtractOptions& options)
 {
     OutputFiles files{options.overwrite};
@@ -154,22 +174,23 @@ Result<ExitCode> extract(const ExtractOptions& options)
         history = *file;
     }
 
-    Result<ReadRecording> input = readRecordingFile(options.input);
+    Result<RecordingFile> input = readRecordingFile(options.input, chosenScan(options.scan));
     if (!input)
         return tl::unexpected{input.error()};
     Extraction extraction;
     extraction.recording = std::move(input->recording);
     if (const auto kept = keepUntil(extraction.recording, options.until); !kept)
         return tl::unexpected{kept.error()};
-    const auto parameters = parametersInForce(options.parameters, extraction.recording.description.scanner);
+    const auto parameters = parametersOverSteps(*input, extraction.recording.description.scanner, options);
     if (!parameters)
         return tl::unexpected{parameters.error()};
-    extraction.parameters = *parameters;
-    correctRecording(extraction.recording, parameters->sensor);
+    extraction.parameters = parameters->back().parameters;
+    correctRecording(extraction.recording, parameters->front().parameters.sensor);
 
     ExtractionPlan work{options.repeats, {}};
     if (history != nullptr) {
-        const auto begun = history->write([&](std::ostream& out) { return writeHistoryHeader(out, *parameters); });
+        const auto begun =
+            history->write([&](std::ostream& out) { return writeHistoryHeader(out, parameters->front().parameters); });
         if (!begun)
             return tl::unexpected{begun.error()};
         work.onReport = [&](const StepReport& report) {
@@ -177,7 +198,7 @@ Result<ExitCode> extract(const ExtractOptions& options)
                 [&](std::ostream& out) { return writeHistoryLine(out, report, options.historyTimes); });
         };
     }
-    auto result = runExtraction(extraction.recording, extraction.parameters, work);
+    auto result = runExtraction(extraction.recording, *parameters, work);
     if (!result)
         return tl::unexpected{result.error()};
     extraction.result = std::move(*result);
@@ -204,7 +225,7 @@ void addExtractCommand(CLI::App& program, Command& chosen)
 {
     CLI::App& command = *program.add_subcommand("extract", "planes from a recording");
     auto options = std::make_shared<ExtractOptions>();
-    command.add_option("INPUT", options->input, "recording (.csv or .csv.gz)")->required();
+    command.add_option("INPUT", options->input, "recording (.csv, .csv.gz or .pwscan)")->required();
     command
         .add_option("--planes", options->planes,
                     "planes as .csv, .json, .ply or .obj, repeatable; without any output a table is printed")
@@ -216,6 +237,7 @@ void addExtractCommand(CLI::App& program, Command& chosen)
     command.add_option("--history", options->history, "every decision of every step (NDJSON)")->type_name("FILE");
     command.add_flag("--history-times", options->historyTimes, "with the time of each phase in the history");
     command.add_option("--stats", options->stats, "counts and times (JSON)")->type_name("FILE");
+    addScanOption(command, options->scan);
     addWholeNumber(command, "--until", options->until, 0, kMaxStep,
                    "last step to use (counted from 0), as if the scan had ended there");
     addWholeNumber(command, "--repeat", options->repeats, 1, 10000, "runs; times are medians over them");

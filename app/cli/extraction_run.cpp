@@ -10,6 +10,7 @@
 
 #include "app/cli/progress.h"
 #include "core/evaluation/data_access_ratio.h"
+#include "core/formats/recording_csv.h"
 #include "core/geometry/sensor_model.h"
 #include "core/pipeline/plane_extractor.h"
 
@@ -68,8 +69,10 @@ void setTimes(Stats& stats, const std::vector<RunTimes>& runs)
 /// One run over all slices and the forced last pass.
 class Run {
 public:
-    Run(const Recording& recording, const Parameters& parameters, bool explain)
-        : recording_(recording), extractor_(sensorOf(recording.description), parameters, {now, explain})
+    Run(const Recording& recording, std::span<const ParametersFrom> parameters, bool explain)
+        : recording_(recording),
+          later_(parameters.subspan(1)),
+          extractor_(sensorOf(recording.description), parameters.front().parameters, {now, explain})
     {
     }
 
@@ -77,12 +80,14 @@ public:
     Result<void> work(OnStep onStep)
     {
         for (const ScanSlice& slice : recording_.slices) {
+            changeParametersUpTo(slice.step);
             const nanoseconds began = now();
             const StepReport report = extractor_.advance(slice);
             times_.steps.push_back(count(began, report));
             if (Result<void> heard = onStep(report); !heard)
                 return heard;
         }
+        changeParametersUpTo(kMaxStep);
         const nanoseconds began = now();
         snapshot_ = extractor_.finish();
         count(began, snapshot_->report);
@@ -93,6 +98,13 @@ public:
     RunTimes& times() { return times_; }
 
 private:
+    /// Parameters change between steps, and after the last one for the forced last pass.
+    void changeParametersUpTo(int step)
+    {
+        for (; !later_.empty() && later_.front().step <= step; later_ = later_.subspan(1))
+            extractor_.setParameters(later_.front().parameters);
+    }
+
     /// Counts the time since then in; gives it.
     nanoseconds count(nanoseconds began, const StepReport& report)
     {
@@ -104,6 +116,7 @@ private:
     }
 
     const Recording& recording_;
+    std::span<const ParametersFrom> later_;
     PlaneExtractor extractor_;
     std::shared_ptr<const Snapshot> snapshot_;
     RunTimes times_;
@@ -125,7 +138,7 @@ void setCounts(Stats& stats, const Recording& recording, const Snapshot& snapsho
 
 }  // namespace
 
-Result<ExtractionResult> runExtraction(const Recording& recording, const Parameters& parameters,
+Result<ExtractionResult> runExtraction(const Recording& recording, std::span<const ParametersFrom> parameters,
                                        const ExtractionPlan& plan)
 {
     ExtractionResult result;

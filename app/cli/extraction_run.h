@@ -5,9 +5,10 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 
+#include "core/formats/parameter_events.h"
 #include "core/formats/stats.h"
-#include "core/params/parameters.h"
 #include "core/types/error.h"
 #include "core/types/recording.h"
 #include "core/types/snapshot.h"
@@ -27,8 +28,9 @@ struct ExtractionResult {
     Stats stats;
 };
 
-/// Extracts the planes of a whole recording, on this thread; shows progress. Only calls of the extractor are timed.
-Result<ExtractionResult> runExtraction(const Recording& recording, const Parameters& parameters,
+/// Extracts the planes of a whole recording, on this thread, with the parameters in force at each step (one set at
+/// least); shows progress. Only calls of the extractor are timed.
+Result<ExtractionResult> runExtraction(const Recording& recording, std::span<const ParametersFrom> parameters,
                                        const ExtractionPlan& plan);
 
 }  // namespace planewright

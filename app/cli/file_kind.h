@@ -26,6 +26,7 @@ inline Result<std::string_view> suffixOf(const std::string& path, std::initializ
 }
 
 /// Suffixes of recordings.
-inline constexpr std::array<std::string_view, 2> kRecordingSuffixes{".csv", ".csv.gz"};
+inline constexpr std::array<std::string_view, 3> kRecordingSuffixes{".csv", ".csv.gz", ".pwscan"};
+inline constexpr std::string_view kPwscanSuffix = kRecordingSuffixes[2];
 
 }  // namespace planewright

@@ -31,7 +31,7 @@ double inDegrees(double radians)
     return rounded(toDegrees(radians));
 }
 
-std::vector<Fact> factsOf(const ReadRecording& read)
+std::vector<Fact> factsOf(const RecordingFile& read)
 {
     const ScanDescription& description = read.recording.description;
     const std::vector<ScanSlice>& slices = read.recording.slices;
@@ -81,6 +81,23 @@ std::vector<Fact> factsOf(const ReadRecording& read)
     };
 }
 
+/// What only a .pwscan says of a scan.
+std::vector<Fact> factsOf(const ScanNotes& notes, const std::vector<ScanSlice>& slices)
+{
+    const auto suspects = std::count_if(slices.begin(), slices.end(), [](const auto& s) { return s.angleSuspect; });
+    return {
+        {"scan", "scan", notes.scan.id},
+        {"name", "name", notes.scan.name},
+        {"state", "state", name(notes.scan.state)},
+        {"started_utc", "started (UTC)", notes.scan.startedUtc},
+        {"floor", "floor", notes.scan.floor},
+        {"planned_slices", "planned slices", notes.scan.plannedSlices ? Json(*notes.scan.plannedSlices) : Json()},
+        {"suspect_slices", "slices of suspect angle", suspects},
+        {"events", "events", notes.events.size()},
+        {"edits", "edits in force", editsInForce(notes.edits).size()},
+    };
+}
+
 std::string factLine(const std::string& label, const std::string& value)
 {
     constexpr std::size_t kColumn = 26;
@@ -88,39 +105,64 @@ std::string factLine(const std::string& label, const std::string& value)
     return "  " + label + blanks + (value.empty() ? "not given" : value) + "\n";
 }
 
+/// What is said of files, as text and as JSON, and what the program returns for them.
+struct Report {
+    std::string text;
+    Json json = Json::array();
+    ExitCode worst = ExitCode::Done;
+
+    void add(const std::string& path, const RecordingFile& read);
+    /// The other files still have their say; the worst decides what the program returns.
+    void add(const Error& error)
+    {
+        printError(error.message);
+        worst = exitCodeOf(error.code);
+    }
+};
+
+void Report::add(const std::string& path, const RecordingFile& read)
+{
+    if (read.damaged && worst == ExitCode::Done)
+        worst = ExitCode::Damaged;
+    std::vector<Fact> facts = read.notes ? factsOf(*read.notes, read.recording.slices) : std::vector<Fact>{};
+    for (Fact& fact : factsOf(read))
+        facts.push_back(std::move(fact));
+    Json file{{"file", path}};
+    text += path + "\n";
+    for (const Fact& fact : facts) {
+        file[fact.key] = fact.value;
+        text += factLine(fact.label, fact.value.is_null() ? "" : valueText(fact.value));
+    }
+    file["extra"] = Json::object();
+    for (const auto& [key, value] : read.recording.description.extra) {
+        file["extra"][key] = value;
+        text += factLine(key, value);
+    }
+    json.push_back(std::move(file));
+}
+
 Result<ExitCode> info(const std::vector<std::string>& paths, bool asJson)
 {
     if (const auto known = checkRecordingNames(paths); !known)
         return tl::unexpected{known.error()};
-    ExitCode worst = ExitCode::Done;
-    Json all = Json::array();
-    std::string text;
+    Report report;
     for (const std::string& path : paths) {
-        const auto read = readRecordingFile(path);
-        if (!read) {
-            // The other files still have their say; the worst decides what the program returns.
-            printError(read.error().message);
-            worst = exitCodeOf(read.error().code);
+        const auto choices = scansOfRecordingFile(path);
+        if (!choices) {
+            report.add(choices.error());
             continue;
         }
-        if (read->damaged && worst == ExitCode::Done)
-            worst = ExitCode::Damaged;
-        Json file{{"file", path}};
-        text += path + "\n";
-        for (const Fact& fact : factsOf(*read)) {
-            file[fact.key] = fact.value;
-            text += factLine(fact.label, valueText(fact.value));
+        for (RecordingChoice choice : *choices) {
+            choice.keepsSuspects = true;
+            if (const auto read = readRecordingFile(path, choice))
+                report.add(path, *read);
+            else
+                report.add(read.error());
         }
-        file["extra"] = Json::object();
-        for (const auto& [key, value] : read->recording.description.extra) {
-            file["extra"][key] = value;
-            text += factLine(key, value);
-        }
-        all.push_back(std::move(file));
     }
-    if (const auto printed = print(asJson ? jsonText(all) : text); !printed)
+    if (const auto printed = print(asJson ? jsonText(report.json) : report.text); !printed)
         return tl::unexpected{printed.error()};
-    return worst;
+    return report.worst;
 }
 
 }  // namespace
@@ -133,7 +175,7 @@ void addInfoCommand(CLI::App& program, Command& chosen)
     };
     CLI::App& command = *program.add_subcommand("info", "what recordings hold");
     auto options = std::make_shared<InfoOptions>();
-    command.add_option("FILE", options->paths, "recordings (.csv or .csv.gz)")->required();
+    command.add_option("FILE", options->paths, "recordings (.csv, .csv.gz or .pwscan)")->required();
     command.add_flag("--json", options->json, "as JSON");
     command.callback([options, &chosen] { chosen = [options] { return info(options->paths, options->json); }; });
 }

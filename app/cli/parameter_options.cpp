@@ -64,13 +64,27 @@ Result<void> applyNamed(const std::string& name, const std::vector<Preset>& know
     return readPresetFile(**input, path, parameters);
 }
 
+/// What was given on the command line beside the preset, in its order.
+Result<void> applySensorAndAssignments(const ParameterOptions& options, Parameters& parameters)
+{
+    if (!options.sensor.empty()) {
+        if (auto done = applyNamed(options.sensor, sensorPresets(), "--sensor", parameters); !done)
+            return done;
+    }
+    for (const std::string& assignment : options.assignments) {
+        if (const auto done = setParameter(parameters, assignment); !done)
+            return fail(done.error().code, "-P: " + done.error().message);
+    }
+    return {};
+}
+
 }  // namespace
 
 void addParameterOptions(CLI::App& command, ParameterOptions& options)
 {
     command.add_option("--preset", options.preset, "method: " + joined(namesOf(methodPresets())) + " or a preset file")
         ->type_name("NAME|FILE")
-        ->capture_default_str();
+        ->default_str(std::string{methodPresets().front().name});
     command
         .add_option("--sensor", options.sensor,
                     "noise of the scanner: " + joined(namesOf(sensorPresets())) +
@@ -84,25 +98,37 @@ void addParameterOptions(CLI::App& command, ParameterOptions& options)
 Result<Parameters> parametersInForce(const ParameterOptions& options, std::string_view scanner)
 {
     Parameters parameters;
-    if (findPreset(methodPresets(), options.preset) == nullptr)
+    const std::string preset = options.preset.empty() ? std::string{methodPresets().front().name} : options.preset;
+    if (findPreset(methodPresets(), preset) == nullptr)
         apply(methodPresets().front(), parameters);  // a file changes the default
-    if (const auto done = applyNamed(options.preset, methodPresets(), "--preset", parameters); !done)
+    if (const auto done = applyNamed(preset, methodPresets(), "--preset", parameters); !done)
         return tl::unexpected{done.error()};
-    if (!options.sensor.empty()) {
-        if (const auto done = applyNamed(options.sensor, sensorPresets(), "--sensor", parameters); !done)
-            return tl::unexpected{done.error()};
-    } else if (const Preset* sensor = sensorOfScanner(scanner)) {
-        apply(*sensor, parameters);
-    } else if (!scanner.empty()) {
-        printWarning("the recording's scanner '" + std::string{scanner} +
-                     "' is not known; the noise of the preset is used, give --sensor (" +
-                     joined(namesOf(sensorPresets())) + " or a file)");
+    if (options.sensor.empty()) {
+        if (const Preset* sensor = sensorOfScanner(scanner))
+            apply(*sensor, parameters);
+        else if (!scanner.empty())
+            printWarning("the recording's scanner '" + std::string{scanner} +
+                         "' is not known; the noise of the preset is used, give --sensor (" +
+                         joined(namesOf(sensorPresets())) + " or a file)");
     }
-    for (const std::string& assignment : options.assignments) {
-        if (const auto done = setParameter(parameters, assignment); !done)
-            return fail(done.error().code, "-P: " + done.error().message);
-    }
+    if (const auto done = applySensorAndAssignments(options, parameters); !done)
+        return tl::unexpected{done.error()};
     return parameters;
+}
+
+Result<std::vector<ParametersFrom>> parametersInForce(const ParameterOptions& options, std::string_view scanner,
+                                                      std::vector<ParametersFrom> stored)
+{
+    if (stored.empty() || !options.preset.empty()) {
+        return parametersInForce(options, scanner).map([](const Parameters& parameters) {
+            return std::vector<ParametersFrom>{{0, parameters}};
+        });
+    }
+    for (ParametersFrom& from : stored) {
+        if (const auto done = applySensorAndAssignments(options, from.parameters); !done)
+            return tl::unexpected{done.error()};
+    }
+    return stored;
 }
 
 }  // namespace planewright

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/formats/parameter_events.h"
 #include "core/params/parameters.h"
 #include "core/params/presets.h"
 #include "core/types/error.h"
@@ -17,7 +18,7 @@ namespace planewright {
 
 /// What the command line says about parameters.
 struct ParameterOptions {
-    std::string preset{methodPresets().front().name};
+    std::string preset;  ///< empty: what the recording was extracted with, or else the default
     std::string sensor;  ///< empty: by the recording's scanner
     std::vector<std::string> assignments;
 };
@@ -31,5 +32,10 @@ void addParameterOptions(CLI::App& command, ParameterOptions& options);
 /// the method changes the default preset. Errors: Usage for an unknown name, key or value; Unreadable for a broken
 /// file.
 Result<Parameters> parametersInForce(const ParameterOptions& options, std::string_view scanner);
+
+/// The same for a recording that has parameters stored with it, step by step: without --preset these take the place of
+/// preset and sensor, and --sensor and -P change each of them. One set of parameters at least.
+Result<std::vector<ParametersFrom>> parametersInForce(const ParameterOptions& options, std::string_view scanner,
+                                                      std::vector<ParametersFrom> stored);
 
 }  // namespace planewright

@@ -15,6 +15,7 @@
 #include "app/cli/number_option.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress.h"
+#include "app/cli/recording_file.h"
 #include "app/cli/text.h"
 #include "core/formats/labels.h"
 #include "core/formats/planes_csv.h"
@@ -115,7 +116,7 @@ Result<ExitCode> simulateScene(const SimulateOptions& options)
     const Result<AcquisitionSettings> settings = settingsOf(options);
     if (!settings)
         return tl::unexpected{settings.error()};
-    const auto suffix = suffixOf(options.output, kRecordingSuffixes, "the recording");
+    const auto suffix = checkRecordingTarget(options.output);
     if (!suffix)
         return tl::unexpected{suffix.error()};
     if (!options.truth.empty()) {
@@ -137,8 +138,8 @@ Result<ExitCode> simulateScene(const SimulateOptions& options)
     }
 
     const SimulatedScan scanned = scan(*scene, *settings, *noise, options.seed);
-    Result<void> written = outputs[0]->write(
-        [&](std::ostream& out) { return writeRecordingCsv(out, scanned.recording, *suffix == ".csv.gz"); });
+    Result<void> written =
+        outputs[0]->write([&](std::ostream& out) { return writeRecording(out, scanned.recording, *suffix); });
     if (written && outputs[1] != nullptr)
         written = outputs[1]->write([&](std::ostream& out) { return writePlanesCsv(out, truthOf(*scene, scanned)); });
     if (written && outputs[2] != nullptr)
@@ -157,7 +158,9 @@ void addSimulateCommand(CLI::App& program, Command& chosen)
     CLI::App& command = *program.add_subcommand("simulate", "a recording of a room whose planes are known");
     auto options = std::make_shared<SimulateOptions>();
     command.add_option("SCENE", options->scene, joined(sceneNames()))->required();
-    command.add_option("-o", options->output, "recording to write (.csv or .csv.gz)")->type_name("FILE")->required();
+    command.add_option("-o", options->output, "recording to write (.csv, .csv.gz or .pwscan)")
+        ->type_name("FILE")
+        ->required();
     command.add_option("--truth", options->truth, "the true planes as .csv")->type_name("FILE");
     command
         .add_option("--truth-labels", options->truthLabels,

@@ -9,7 +9,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/input_file.h"
 #include "app/cli/json_text.h"
 #include "app/cli/recording_file.h"
 
@@ -26,10 +25,10 @@ struct Verdict {
 
 Verdict judge(const std::string& path)
 {
-    const auto input = openInput(path);
-    if (!input)
-        return {ExitCode::Unreadable, "unreadable", {{input.error().message}, 0, {}, false}};
-    RecordingProblems found = recordingProblems(**input, path);
+    const auto read = problemsOfRecordingFile(path);
+    if (!read)
+        return {ExitCode::Unreadable, "unreadable", {{read.error().message}, 0, {}, false}};
+    RecordingProblems found = *read;
     if (!found.problems.empty())
         return {ExitCode::Unreadable, "malformed", std::move(found)};
     if (found.damaged)
@@ -83,7 +82,7 @@ void addValidateCommand(CLI::App& program, Command& chosen)
     };
     CLI::App& command = *program.add_subcommand("validate", "every problem that recordings have");
     auto options = std::make_shared<ValidateOptions>();
-    command.add_option("FILE", options->paths, "recordings (.csv or .csv.gz)")->required();
+    command.add_option("FILE", options->paths, "recordings (.csv, .csv.gz or .pwscan)")->required();
     command.add_flag("--json", options->json, "as JSON");
     command.callback([options, &chosen] { chosen = [options] { return validate(options->paths, options->json); }; });
 }

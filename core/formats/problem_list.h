@@ -27,6 +27,15 @@ public:
             ++more_;
     }
 
+    /// Adds a problem whose text says its file and place already.
+    void addText(std::string text)
+    {
+        if (texts_.size() < most_)
+            texts_.push_back(std::move(text));
+        else
+            ++more_;
+    }
+
     /// True where reading on is of no use: the caller asked for this many problems and no count.
     bool endsReading() const { return most_ == 1 && !texts_.empty(); }
 

@@ -20,6 +20,10 @@ struct ScanSlice {
     bool ownBearing = false;            ///< firstBearing is this slice's own, not the recording's (interlaced scanners)
     double bearingStep = 0.0;           ///< angle between neighbouring beams [rad]
     std::vector<double> ranges;         ///< range ρ of each beam [m]; 0 = no return
+    std::optional<double> tiltCommanded;  ///< pitch that the tilt unit was told to take [rad], where it is known
+    bool angleSuspect = false;            ///< the pitch may be wrong: kept in recordings, and no planes are made of it
+    bool timeSuspect = false;             ///< the time may be wrong
+    bool retaken = false;                 ///< taken again after a fault
 
     /// Bearing θ of a beam [rad].
     double bearing(std::size_t beam) const { return firstBearing + static_cast<double>(beam) * bearingStep; }

@@ -1,18 +1,19 @@
 # SPDX-FileCopyrightText: 2026 The Planewright authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-foreach(folder IN ITEMS app architecture core devices ui)
-    add_custom_target(tests_${folder})
+foreach(label IN ITEMS app architecture core devices threads ui)
+    add_custom_target(tests_${label})
 endforeach()
 
-# planewright_test(<target> SOURCES <files> LIBRARIES <targets>): one QtTest executable, run by CTest without a display.
+# planewright_test(<target> SOURCES <files> LIBRARIES <targets> [THREADS]): one QtTest executable, run by CTest without a display.
 #
 # A test sees no settings of the person who runs it: HOME, the XDG folders and TMPDIR are folders of its own in the build
 # tree. It carries the name of its top-level folder under tests/ as CTest label, and is built by the target
-# tests_<label>: tests_core builds the tests of core and no others. PLANEWRIGHT_SOURCE_DIR is the top of the source tree,
+# tests_<label>: tests_core builds the tests of core and no others. THREADS adds the label `threads`, for tests of threads
+# without Qt outside core and devices, which the thread sanitizer is to see. PLANEWRIGHT_SOURCE_DIR is the top of the source tree,
 # as a string literal.
 function(planewright_test target)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "" "SOURCES;LIBRARIES")
     add_executable(${target} ${arg_SOURCES})
     # Qt's moc stumbles over <compare>, <numbers> and others where libstdc++'s own configuration was not read before.
     set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_MOC_OPTIONS "--include;version")
@@ -21,8 +22,13 @@ function(planewright_test target)
     add_test(NAME ${target} COMMAND ${target})
     planewright_isolate_test(${target})
 
-    get_property(label TEST ${target} PROPERTY LABELS)
-    add_dependencies(tests_${label} ${target})
+    if(arg_THREADS)
+        set_property(TEST ${target} APPEND PROPERTY LABELS threads)
+    endif()
+    get_property(labels TEST ${target} PROPERTY LABELS)
+    foreach(label IN LISTS labels)
+        add_dependencies(tests_${label} ${target})
+    endforeach()
 endfunction()
 
 # planewright_isolate_test(<test>): the environment and label of planewright_test for a test made by add_test().

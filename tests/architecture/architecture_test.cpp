@@ -214,7 +214,12 @@ void ArchitectureTest::aDoorIsOpenOrClosed_data()
     row("ui/panels/a.h", "\"devices/scan_source.h\"", false);
     row("ui/panels/a.h", "\"app/session/scan_session.h\"", false);
     row("app/session/a.h", "\"devices/scan_source.h\"", true);
+    row("app/session/a.h", "\"app/session/loops/channel.h\"", true);
+    row("app/session/a.h", "\"ui/main_window.h\"", false);
+    row("app/session/loops/a.h", "\"app/session/scan_session.h\"", false);
+    row("app/session/loops/a.h", "\"devices/scan_source.h\"", true);
     row("app/main.cpp", "\"ui/main_window.h\"", true);
+    row("app/main.cpp", "\"app/session/scan_session.h\"", true);
     row("app/cli/a.h", "\"core/pipeline/plane_extractor.h\"", true);
     row("app/cli/a.h", "\"app/session/scan_session.h\"", true);
     row("app/cli/a.h", "\"ui/main_window.h\"", false);
@@ -252,6 +257,9 @@ void ArchitectureTest::aDoorIsOpenOrClosed_data()
     row("app/cli/a.cpp", "<CLI/CLI.hpp>", true);
     row("app/cli/a.cpp", "<vtkActor.h>", false);
     row("app/session/a.cpp", "<QThread>", true);
+    row("app/session/a.cpp", "<QWidget>", false);
+    row("app/session/loops/a.cpp", "<QThread>", false);
+    row("app/session/loops/a.cpp", "<mutex>", true);
     // Standard headers.
     row("core/planes/a.cpp", "<vector>", true);
     row("core/planes/a.cpp", "<chrono>", true);

@@ -54,13 +54,13 @@ void CliConvertTest::unknownKindIsAnError_data()
     QTest::addColumn<QString>("message");
     QTest::newRow("output") << "a.csv"
                             << "b.xyz"
-                            << "b.xyz: the name of a recording tells its kind; known are .csv, .csv.gz";
+                            << "b.xyz: the name of a recording tells its kind; known are .csv, .csv.gz, .pwscan";
     QTest::newRow("input") << "a.bag"
                            << "b.csv"
-                           << "a.bag: the name of a recording tells its kind; known are .csv, .csv.gz";
+                           << "a.bag: the name of a recording tells its kind; known are .csv, .csv.gz, .pwscan";
     QTest::newRow("no suffix") << "a"
                                << "b.csv"
-                               << "a: the name of a recording tells its kind; known are .csv, .csv.gz";
+                               << "a: the name of a recording tells its kind; known are .csv, .csv.gz, .pwscan";
 }
 
 void CliConvertTest::unknownKindIsAnError()

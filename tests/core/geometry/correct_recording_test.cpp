@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "core/geometry/sensor_model.h"
+#include "core/geometry/slice_corrector.h"
 #include "core/types/angle.h"
 
 namespace planewright {
@@ -51,6 +52,7 @@ private slots:
     void theDelayTurnsTheWayTheHeadNods();
     void ratesCountMissingSteps();
     void aSliceAloneDoesNotNod();
+    void slicesComeCorrectedWhileTheyAreMeasured();
 };
 
 void CorrectRecordingTest::withoutCorrectionsEveryNumberStays()
@@ -172,6 +174,24 @@ void CorrectRecordingTest::aSliceAloneDoesNotNod()
 {
     QCOMPARE(noddingRates(recordingAt({60.0}).slices), std::vector{0.0});
     QVERIFY(noddingRates({}).empty());
+}
+
+void CorrectRecordingTest::slicesComeCorrectedWhileTheyAreMeasured()
+{
+    const Recording measured = recordingAt({60.0, 61.0, 63.0});
+    SensorParameters sensor;
+    sensor.rangeOffset = 0.03;
+    SliceCorrector atOnce{measured.description, sensor};
+    sensor.sweepTurn = 0.5;
+    SliceCorrector withNeighbours{measured.description, sensor};
+
+    QVERIFY(atOnce.push(measured.slices[0]));
+    QVERIFY(!atOnce.finish());
+    QVERIFY(!withNeighbours.push(measured.slices[0]));
+    QCOMPARE(withNeighbours.push(measured.slices[1]).value().step, 0);
+    QCOMPARE(withNeighbours.push(measured.slices[2]).value().step, 1);
+    QCOMPARE(withNeighbours.finish().value().step, 2);
+    QVERIFY(!withNeighbours.finish());
 }
 
 }  // namespace planewright

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+
+#include "app/session/loops/channel.h"
+#include "app/session/loops/scan_item.h"
+#include "core/types/error.h"
+#include "devices/scan_source.h"
+
+namespace planewright {
+
+/// Hears what happens to the source, on the loop's thread.
+struct AcquisitionEvents {
+    std::function<void()> onBegun;              ///< it stands where the scan begins: the next is a slice
+    std::function<void(const Error&)> onFault;  ///< it has failed; the loop waits for retry() or giveUp()
+    std::function<void(ScanOutcome)> onEnded;   ///< there will be no more slices
+};
+
+/// Takes slices from a source, as a recording will give them back, and hands them on. It waits for nobody but the
+/// source.
+class AcquisitionLoop {
+public:
+    AcquisitionLoop(ScanSource& source, Channel<AcquiredItem>& out, const Clock& clock, AcquisitionEvents events);
+
+    /// One scan, to its last slice or until finish(); at the end whatever moves is stopped, and the outcome handed on.
+    void run();
+
+    /// Ends the scan with what there is: what has been taken is worked through.
+    void finish() { stop_.request_stop(); }
+
+    /// After a fault: tries to go on, or ends the scan.
+    void retry();
+    void giveUp();
+
+    /// Slices a second over the last second or so; 0 before the second slice.
+    double slicesPerSecond() const;
+    int slices() const { return slices_; }
+    /// Steps that were passed over between slices.
+    int lost() const { return lost_; }
+
+private:
+    enum class Verdict { Retry, GiveUp };
+
+    ScanOutcome takeSlices();
+    Result<bool> takeSlice(bool& begun);
+    void forgetVerdict();
+    Verdict waitForVerdict();
+    void handOn(ScanSlice slice);
+
+    ScanSource& source_;
+    Channel<AcquiredItem>& out_;
+    const Clock& clock_;
+    AcquisitionEvents events_;
+    std::stop_source stop_;
+    mutable std::mutex mutex_;
+    std::condition_variable_any judged_;
+    std::optional<Verdict> verdict_;
+    std::deque<std::chrono::nanoseconds> times_;  ///< of the last slices
+    std::optional<int> lastStep_;
+    std::atomic<int> slices_{0};
+    std::atomic<int> lost_{0};
+};
+
+}  // namespace planewright

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "app/session/loops/scan_pipeline.h"
+#include "app/session/open_source.h"
+#include "app/session/session_machine.h"
+#include "app/session/session_map.h"
+
+namespace planewright {
+
+/// What a session is set up with.
+struct SessionOptions {
+    /// Parameters for what is opened, step by step, one set at least: by the scanner's name and what the file says it
+    /// was extracted with. Without it: what the file says, or else the default preset with the scanner's noise.
+    std::function<Result<std::vector<ParametersFrom>>(const std::string& scanner, std::vector<ParametersFrom> stored)>
+        chooseParameters;
+    /// Where scans are recorded, as `.pwscan` files named by the time; empty: they are not.
+    std::string recordFolder;
+    bool explain = true;                                                ///< snapshots tell every decision
+    SimulatedScanner simulation{{}, defaultSimulationNoise(), 1, 1.0};  ///< what `sim:` is set up with; its own seed
+    std::chrono::milliseconds frame{16};                                ///< mapChanged comes at most once in this time
+    std::chrono::milliseconds statusEvery{250};                         ///< while something runs
+    const Clock* clock = nullptr;  ///< of sources and loops; null: the machine's. A test brings its own.
+    /// Makes the recorder of a path; without it a PwscanRecorder. A test brings one that fails.
+    std::function<std::unique_ptr<SliceRecorder>(const std::string& path)> makeRecorder;
+};
+
+/// A scan from its source to its planes: opens, starts, records, extracts, and keeps every step of it.
+///
+/// Lives in the GUI's thread, where all its signals come; scanner, recorder, extractor and the reading of files have
+/// threads of their own. A verb that is refused gives the reason as a Usage error and changes nothing. What happens to
+/// a session, as a scanner that fails, comes as faulted(). Nothing here waits for a scanner or a disk, but close() and
+/// the destructor, which stop all motion and then wait for the threads: as long as one call of the recorder takes.
+class ScanSession : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ScanSession(SessionOptions options = {}, QObject* parent = nullptr);
+    ~ScanSession() override;
+
+    SessionState state() const;
+    /// Why a request would be refused now, for tool tips of what is greyed out; empty where it would not.
+    QString refusal(SessionRequest request) const;
+
+    // Verbs.
+
+    /// Opens `sim:SCENE?seed=N&speed=X`: Connecting → Ready. `replay:FILE?speed=X`, or a plain file as fast as
+    /// possible: Connecting → Replaying → Review. What was open stays until the new one is there.
+    Result<void> open(const std::string& fileOrAddress);
+    /// Ends opening, a replay or a rerun.
+    Result<void> cancel();
+    /// Takes a scan with the scanner that is connected, or plays the recording again.
+    Result<void> start();
+    Result<void> pauseOrContinue();
+    /// One slice more while it is paused.
+    Result<void> step();
+    /// Ends the scan with what there is: Finishing → Review.
+    Result<void> finish();
+    /// Tries again what failed.
+    Result<void> retry();
+    /// Stops whatever moves at once, in every state, and ends the scan with what there is. Never refused; an error is
+    /// the device's.
+    Result<void> stopMotion();
+    /// For the steps to come; they are recorded. Of a scan that is over: for the next rerun().
+    Result<void> setParameters(const Parameters& parameters);
+    /// Extracts the whole scan once more with parameters(); the result takes the place of the present one when it is
+    /// complete, and cancel() keeps that.
+    Result<void> rerun();
+    /// 1 is real time, 0 as fast as possible; also for the next start().
+    Result<void> setSpeed(double speed);
+    /// Shows the scan as it was after a step (or after the last one before it), while it may go on; goToNewest()
+    /// follows it again.
+    Result<void> goToStep(int step);
+    Result<void> goToNewest();
+    /// Stops motion, ends everything and forgets the scan. Never refused.
+    void close();
+
+    /// From the next start() on; empty: scans are not recorded.
+    void setRecordFolder(const std::string& folder);
+
+    // What there is.
+
+    /// What mapChanged() gave last; never null.
+    std::shared_ptr<const SessionMap> map() const;
+    /// Every step of the scan so far in its order, the forced last pass among them.
+    const std::vector<ExtractedStep>& history() const;
+    /// The scan as it was after a step, or after the last one before it; never null.
+    std::shared_ptr<const SessionMap> mapAt(int step) const;
+    SessionStatus status() const;
+    /// In force for the next step, and for a rerun.
+    const Parameters& parameters() const;
+    /// What is said once about the corrected slices; those of map().
+    const ScanDescription& description() const;
+    /// The address or file that is open; empty without one.
+    const std::string& address() const;
+    /// The `.pwscan` that edits go into: the one that was opened, or that the scan was recorded into. Null without one.
+    /// Used in the session's thread.
+    PwscanProject* project();
+    /// The scan's number in it.
+    int scanInProject() const;
+    /// The edits that were in it when it was opened, undone ones too.
+    const std::vector<StoredEdit>& storedEdits() const;
+
+signals:
+    void stateChanged(planewright::SessionState state);
+    /// There is a newer map, or another step is shown; at most once a frame, and before the state that ends the scan.
+    void mapChanged(std::shared_ptr<const planewright::SessionMap> map);
+    /// history() has grown to so many steps, or begun anew.
+    void historyChanged(int steps);
+    void statusChanged(const planewright::SessionStatus& status);
+    void parametersChanged();
+    /// Something failed that nobody asked for: what it was, what is safe, what to do.
+    void faulted(const planewright::Error& error);
+    void logLine(planewright::LogLevel level, const QString& source, const QString& text);
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace planewright

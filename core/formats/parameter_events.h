@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/formats/pwscan_notes.h"
+#include "core/params/parameters.h"
+#include "core/types/error.h"
+
+namespace planewright {
+
+/// Parameters in force from a step on.
+struct ParametersFrom {
+    int step = 0;
+    Parameters parameters;
+};
+
+/// The event that says so; its payload is a preset file with all parameters.
+ScanEvent parametersEvent(int step, const Parameters& parameters);
+
+/// The parameters that a scan was extracted with, in their order; events of other kinds are passed over. A parameter
+/// that an event does not name keeps its default. Errors name the file: Unreadable for a payload that is no preset file
+/// or names a parameter that this program does not know, or where steps do not rise.
+Result<std::vector<ParametersFrom>> readParameterEvents(const std::vector<ScanEvent>& events,
+                                                        const std::string& fileName);
+
+}  // namespace planewright

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "core/types/error.h"
+#include "core/types/recording.h"
+
+namespace planewright {
+
+/// Where slices come from: a scanner, a simulated one, or a recording. All code above sees no more of them than this.
+///
+/// begin() and next() are called by one thread; everything else may be called by any thread while that one waits, and
+/// returns at once (stopMotion: within one round trip to the device). A source outlives none of these calls.
+class ScanSource {
+public:
+    virtual ~ScanSource() = default;
+
+    /// What is said once about its scans; the same as long as the source lives.
+    virtual const ScanDescription& description() const = 0;
+
+    /// Slices of a whole scan, where that is known.
+    virtual std::optional<int> plannedSlices() const = 0;
+
+    /// True where it measures now, so that what is not recorded is lost; false for a recording.
+    virtual bool isLive() const = 0;
+
+    /// What people call it: "Simulated corridor", "lobby.csv.gz".
+    virtual std::string name() const = 0;
+
+    /// Goes to where a scan begins; next() then gives its first slice. May be called again for the next scan. Comes
+    /// back early, without an error, where a stop is asked for.
+    virtual Result<void> begin(const std::stop_token& stop) = 0;
+
+    /// Waits for the next slice. Empty after the last one, and where a stop is asked for. After an error it may be
+    /// called again: it then tries to go on where the scan was.
+    virtual Result<std::optional<ScanSlice>> next(const std::stop_token& stop) = 0;
+
+    /// Holds the scan where it is, and lets it go on. Pausing what is paused changes nothing.
+    virtual Result<void> pause() = 0;
+    virtual Result<void> resume() = 0;
+
+    /// Gives one slice more of a scan that is paused. Errors (Usage): a source that cannot.
+    virtual Result<void> step() { return fail(ErrorCode::Usage, name() + ": this source takes no single steps"); }
+
+    /// How many times faster than it was measured; 1 is real time, 0 as fast as possible. Errors (Usage): a source
+    /// whose pace is its own, or a speed that isReplaySpeed refuses.
+    virtual Result<void> setSpeed(double /*speed*/)
+    {
+        return fail(ErrorCode::Usage, name() + ": a scanner has the speed that it has");
+    }
+
+    /// Stops whatever moves, at once, in every state; scanning does not go on by itself afterwards. A recording has
+    /// nothing that moves.
+    virtual Result<void> stopMotion() { return {}; }
+};
+
+}  // namespace planewright

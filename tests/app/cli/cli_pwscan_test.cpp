@@ -1,0 +1,404 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <fstream>
+#include <sstream>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/formats/parameter_events.h"
+#include "core/formats/planes_csv.h"
+#include "core/formats/pwscan_writer.h"
+#include "core/formats/recording_pwscan.h"
+#include "core/params/presets.h"
+#include "core/pipeline/plane_extractor.h"
+#include "core/simulation/nodding_scanner.h"
+#include "core/simulation/scenes.h"
+#include "run_program.h"
+#include "tests/core/formats/pwscan_sample.h"
+
+using namespace planewright;
+
+class CliPwscanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void csvComesBackByteForByte();
+    void planesAreThoseOfTheCsv();
+    void simulateWritesTheSameRecording();
+    void storedParametersAreInForceFromTheirSteps();
+    void untilPassesOverLaterParameters();
+    void presetSaysOtherwise();
+    void assignmentsChangeTheStoredParameters();
+    void storedParametersThatAreNotKnownAreAnError();
+    void lastScanUnlessOneIsChosen();
+    void scanOfACsvIsWrongUsage();
+    void suspectSlicesAreNotUsed();
+    void aScanOfSuspectSlicesAloneIsUnreadable();
+    void damagedFileIsUsedInPart();
+    void conversionKeepsWhatIsStored();
+    void infoTellsEveryScan();
+    void validateFindsEveryProblem();
+    void aRecordingThatWasBrokenOffIsRead();
+    void whatLiesBesideABrokenOffRecordingIsNotMixedWithAnother();
+
+private:
+    static void write(const QTemporaryDir& folder, const Recording& recording,
+                      const std::optional<ScanNotes>& notes = std::nullopt);
+    static QByteArray planesOf(const QTemporaryDir& folder, const QStringList& options = {});
+    /// The planes file of an extraction that changes its parameters as the window does while the scan runs.
+    QByteArray planesWith(const std::vector<ParametersFrom>& parameters, int until = 1000) const;
+    ScanNotes notesWith(const std::vector<ParametersFrom>& parameters) const;
+
+    Recording recording_;  // twelve planes, as a file gives it back
+    Parameters precise_;
+    Parameters coarse_;
+};
+
+void CliPwscanTest::initTestCase()
+{
+    const QTemporaryDir folder;
+    QCOMPARE(simulateTwelve(folder.path()).code, 0);
+    std::ifstream in(folder.filePath("scan.csv").toStdString());
+    recording_ = readRecordingCsv(in, "scan.csv")->recording;
+    apply(methodPresets().front(), precise_);
+    coarse_ = precise_;
+    coarse_.noise.estimated = false;  // the noise that is told instead is in every covariance
+    coarse_.noise.rangeConstant = 0.05;
+}
+
+void CliPwscanTest::write(const QTemporaryDir& folder, const Recording& recording,
+                          const std::optional<ScanNotes>& notes)
+{
+    std::ofstream out(folder.filePath("a.pwscan").toStdString(), std::ios::binary);
+    QVERIFY(writeRecordingPwscan(out, recording, notes));
+}
+
+QByteArray CliPwscanTest::planesOf(const QTemporaryDir& folder, const QStringList& options)
+{
+    const ProgramRun run = runProgram(
+        QStringList{"extract", "a.pwscan", "--planes", "planes.csv", "--overwrite"} + options, folder.path());
+    return run.code == 0 ? bytesOf(folder.filePath("planes.csv")) : "failed: " + run.err;
+}
+
+QByteArray CliPwscanTest::planesWith(const std::vector<ParametersFrom>& parameters, int until) const
+{
+    PlaneExtractor extractor(sensorOf(recording_.description), parameters.front().parameters);
+    std::size_t next = 1;
+    for (const ScanSlice& slice : recording_.slices) {
+        if (slice.step > until)
+            break;
+        for (; next < parameters.size() && parameters[next].step <= slice.step; ++next)
+            extractor.setParameters(parameters[next].parameters);
+        extractor.advance(slice);
+    }
+    std::ostringstream out;
+    if (!writePlanesCsv(out, planeResults(*extractor.finish())))
+        return {};
+    return QByteArray::fromStdString(out.str());
+}
+
+ScanNotes CliPwscanTest::notesWith(const std::vector<ParametersFrom>& parameters) const
+{
+    ScanNotes notes;
+    notes.scan.state = ScanState::Complete;
+    for (const ParametersFrom& from : parameters)
+        notes.events.push_back(parametersEvent(from.step, from.parameters));
+    return notes;
+}
+
+void CliPwscanTest::csvComesBackByteForByte()
+{
+    const QTemporaryDir folder;
+    QByteArray text = "# serial = H123\n# place = cellar, 2nd \"floor\"\n" + recordingText(3, 4, 1500);
+    text.replace("pitch_deg,", "pitch_deg,pitch_end_deg,bearing_start_deg,");
+    for (int slice = 0; slice < 3; ++slice) {
+        const QByteArray pitch = QByteArray::number(60 + slice);
+        text.replace(pitch + ".00,", pitch + ".16," + pitch + ".7,0." + pitch + ",");
+    }
+    writeBytes(folder.filePath("foreign.csv"), text);
+    runProgram({"convert", "foreign.csv", "a.csv"}, folder.path());
+
+    const ProgramRun there = runProgram({"convert", "a.csv", "a.pwscan"}, folder.path());
+    const ProgramRun back = runProgram({"convert", "a.pwscan", "b.csv"}, folder.path());
+    const ProgramRun packed = runProgram({"convert", "a.pwscan", "b.csv.gz"}, folder.path());
+    runProgram({"convert", "b.csv.gz", "c.csv"}, folder.path());
+
+    QVERIFY2(there.code == 0, there.err);
+    QVERIFY2(back.code == 0, back.err);
+    QCOMPARE(packed.code, 0);
+    QVERIFY(bytesOf(folder.filePath("a.csv")).contains("# place = cellar, 2nd \"floor\"\n"));
+    QVERIFY(bytesOf(folder.filePath("a.csv")).contains(",60.16,60.7,0.6,"));
+    QCOMPARE(bytesOf(folder.filePath("b.csv")), bytesOf(folder.filePath("a.csv")));
+    QCOMPARE(bytesOf(folder.filePath("c.csv")), bytesOf(folder.filePath("a.csv")));
+}
+
+void CliPwscanTest::planesAreThoseOfTheCsv()
+{
+    const QTemporaryDir folder;
+    QCOMPARE(simulateTwelve(folder.path()).code, 0);
+    QCOMPARE(runProgram({"convert", "scan.csv", "a.pwscan"}, folder.path()).code, 0);
+
+    QCOMPARE(runProgram({"extract", "scan.csv", "--planes", "csv.csv"}, folder.path()).code, 0);
+
+    QVERIFY(planesOf(folder).count('\n') > 10);
+    QCOMPARE(planesOf(folder), bytesOf(folder.filePath("csv.csv")));
+}
+
+void CliPwscanTest::simulateWritesTheSameRecording()
+{
+    const QTemporaryDir folder;
+    for (const char* name : {"a.csv", "a.pwscan"})
+        QCOMPARE(runProgram({"simulate", "twelve", "-o", name, "--slices", "5"}, folder.path()).code, 0);
+
+    QCOMPARE(runProgram({"convert", "a.pwscan", "b.csv"}, folder.path()).code, 0);
+
+    QCOMPARE(bytesOf(folder.filePath("b.csv")), bytesOf(folder.filePath("a.csv")));
+}
+
+void CliPwscanTest::storedParametersAreInForceFromTheirSteps()
+{
+    const QTemporaryDir folder;
+    const std::vector<ParametersFrom> stored{{0, precise_}, {40, coarse_}};
+    write(folder, recording_, notesWith(stored));
+
+    const QByteArray planes = planesOf(folder);
+
+    QCOMPARE(planes, planesWith(stored));
+    QVERIFY(planes != planesWith({{0, precise_}}));
+    QVERIFY(planes != planesWith({{0, coarse_}}));
+}
+
+void CliPwscanTest::untilPassesOverLaterParameters()
+{
+    const QTemporaryDir folder;
+    write(folder, recording_, notesWith({{0, precise_}, {40, coarse_}}));
+
+    QCOMPARE(planesOf(folder, {"--until", "39"}), planesWith({{0, precise_}}, 39));
+    QCOMPARE(planesOf(folder, {"--until", "40"}), planesWith({{0, precise_}, {40, coarse_}}, 40));
+}
+
+void CliPwscanTest::presetSaysOtherwise()
+{
+    const QTemporaryDir folder;
+    write(folder, recording_, notesWith({{0, coarse_}}));
+
+    QVERIFY(planesOf(folder) == planesWith({{0, coarse_}}));
+    QVERIFY(planesOf(folder, {"--preset", "precise"}) == planesWith({{0, precise_}}));
+}
+
+void CliPwscanTest::assignmentsChangeTheStoredParameters()
+{
+    const QTemporaryDir folder;
+    write(folder, recording_, notesWith({{0, precise_}, {40, coarse_}}));
+    Parameters first = precise_;
+    first.noise.rangeProportional = 0.01;
+    Parameters second = coarse_;
+    second.noise.rangeProportional = 0.01;
+
+    const QByteArray planes = planesOf(folder, {"-P", "noise.range-proportional=0.01"});
+
+    QCOMPARE(planes, planesWith({{0, first}, {40, second}}));
+    QVERIFY(planes != planesOf(folder));
+}
+
+void CliPwscanTest::storedParametersThatAreNotKnownAreAnError()
+{
+    const QTemporaryDir folder;
+    ScanNotes notes = notesWith({{0, precise_}});
+    notes.events[0].payload = R"({"format":"planewright-preset 1","parameters":{"planes.unheard-of":1}})";
+    write(folder, recording_, notes);
+
+    const ProgramRun run = runProgram({"extract", "a.pwscan"}, folder.path());
+    const ProgramRun validation = runProgram({"validate", "a.pwscan"}, folder.path());
+
+    QCOMPARE(run.code, 3);
+    QVERIFY2(run.err.contains("a.pwscan: the parameters stored for step 0: ") && run.err.contains("or give --preset"),
+             run.err);
+    QCOMPARE(validation.code, 4);
+    QVERIFY(planesOf(folder, {"--preset", "precise"}) == planesWith({{0, precise_}}));
+}
+
+void CliPwscanTest::lastScanUnlessOneIsChosen()
+{
+    const QTemporaryDir folder;
+    write(folder, recording_);
+    auto writer = PwscanWriter::append(folder.filePath("a.pwscan").toStdString(), sampleScanRecord(4));
+    for (const ScanSlice& slice : sampleRecording(2, 4).slices)
+        QVERIFY(writer->write(slice));
+    QVERIFY(writer->close(ScanState::Complete));
+
+    const ProgramRun last = runProgram({"convert", "a.pwscan", "last.csv"}, folder.path());
+    const ProgramRun missing = runProgram({"extract", "a.pwscan", "--scan", "3"}, folder.path());
+
+    QCOMPARE(last.code, 0);
+    QVERIFY(bytesOf(folder.filePath("last.csv")).contains("\n1,0.025000,11,1001,1002,1003,1004\n"));
+    QCOMPARE(planesOf(folder, {"--scan", "1"}), planesWith({{0, precise_}}));
+    QCOMPARE(missing.code, 2);
+    QCOMPARE(missing.err, QByteArray("planewright-cli: a.pwscan: there is no scan 3; choose one of 1, 2\n"));
+}
+
+void CliPwscanTest::scanOfACsvIsWrongUsage()
+{
+    const QTemporaryDir folder;
+    writeBytes(folder.filePath("a.csv"), recordingText(3, 4, 1500));
+
+    const ProgramRun run = runProgram({"extract", "a.csv", "--scan", "1"}, folder.path());
+
+    QCOMPARE(run.code, 2);
+    QVERIFY(run.err.contains("only a .pwscan holds several scans"));
+}
+
+void CliPwscanTest::suspectSlicesAreNotUsed()
+{
+    const QTemporaryDir folder;
+    Recording wrong = recording_;
+    wrong.slices[30].tilt = degrees(5.0);
+    wrong.slices[30].angleSuspect = true;
+    write(folder, wrong);
+    Recording right = recording_;
+    right.slices.erase(right.slices.begin() + 30);
+
+    const ProgramRun run =
+        runProgram({"extract", "a.pwscan", "--planes", "planes.csv", "--labels", "labels"}, folder.path());
+    runProgram({"convert", "a.pwscan", "a.csv"}, folder.path());
+    runProgram({"convert", "a.pwscan", "b.pwscan"}, folder.path());
+    std::swap(recording_, right);
+    const QByteArray expected = planesWith({{0, precise_}});
+    std::swap(recording_, right);
+
+    QCOMPARE(run.code, 0);
+    QCOMPARE(run.err, QByteArray("planewright-cli: warning: a.pwscan: the angle of 1 slice is suspect; it is not "
+                                 "used\n"));
+    QCOMPARE(bytesOf(folder.filePath("planes.csv")), expected);
+    QCOMPARE(bytesOf(folder.filePath("labels")).count('\n'), static_cast<int>(recording_.slices.size()) - 1);
+    QVERIFY(!bytesOf(folder.filePath("a.csv")).contains("\n30,"));
+    QVERIFY(readRecordingPwscan(folder.filePath("b.pwscan").toStdString())->read.recording.slices[30].angleSuspect);
+}
+
+void CliPwscanTest::aScanOfSuspectSlicesAloneIsUnreadable()
+{
+    const QTemporaryDir folder;
+    Recording wrong = sampleRecording(2, 4);
+    wrong.slices[0].angleSuspect = wrong.slices[1].angleSuspect = true;
+    write(folder, wrong);
+
+    const ProgramRun run = runProgram({"extract", "a.pwscan"}, folder.path());
+
+    QCOMPARE(run.code, 3);
+    QVERIFY(run.err.contains("a.pwscan: the angle of every slice is suspect; check the tilt unit and scan again"));
+}
+
+void CliPwscanTest::damagedFileIsUsedInPart()
+{
+    const QTemporaryDir folder;
+    write(folder, sampleRecording(3, 4));
+    runSql(folder.filePath("a.pwscan").toStdString(), "UPDATE slice SET crc32 = 0 WHERE step = 1");
+
+    const ProgramRun run = runProgram({"convert", "a.pwscan", "a.csv"}, folder.path());
+
+    QCOMPARE(run.code, 4);
+    QCOMPARE(run.err, QByteArray("planewright-cli: warning: a.pwscan: scan 1, step 1: crc32 is not the check sum of "
+                                 "the ranges; the slice is not used\n"));
+    QVERIFY(bytesOf(folder.filePath("a.csv")).contains("\n2,"));
+    QVERIFY(!bytesOf(folder.filePath("a.csv")).contains("\n1,"));
+}
+
+void CliPwscanTest::conversionKeepsWhatIsStored()
+{
+    const QTemporaryDir folder;
+    ScanNotes notes = notesWith({{0, precise_}});
+    notes.scan.name = "hall";
+    notes.scan.startedUtc = "2026-03-01T08:30:00Z";
+    notes.edits = {{1, {Edit::Kind::Rename, {0}, "floor", true}, false}};
+    write(folder, recording_, notes);
+
+    QCOMPARE(runProgram({"convert", "a.pwscan", "b.pwscan"}, folder.path()).code, 0);
+
+    QCOMPARE(bytesOf(folder.filePath("b.pwscan")), bytesOf(folder.filePath("a.pwscan")));
+}
+
+void CliPwscanTest::infoTellsEveryScan()
+{
+    const QTemporaryDir folder;
+    ScanNotes notes = notesWith({{0, precise_}});
+    notes.scan.name = "hall";
+    notes.edits = {{1, {Edit::Kind::Rename, {0}, "floor", true}, false},
+                   {2, {Edit::Kind::Rename, {0}, "ground", true}, true}};
+    write(folder, sampleRecording(3, 4), notes);
+    {
+        auto writer = PwscanWriter::append(folder.filePath("a.pwscan").toStdString(), sampleScanRecord(2, "stairs"));
+        QVERIFY(writer->write(sampleRecording(1, 2).slices[0]));
+    }
+
+    const ProgramRun run = runProgram({"info", "a.pwscan", "--json"}, folder.path());
+    const QJsonArray scans = QJsonDocument::fromJson(run.out).array();
+    const ProgramRun text = runProgram({"info", "a.pwscan"}, folder.path());
+
+    QVERIFY2(run.code == 0, run.err);
+    QCOMPARE(scans.size(), 2);
+    QCOMPARE(scans[0].toObject()["name"].toString(), "hall");
+    QCOMPARE(scans[0].toObject()["state"].toString(), "complete");
+    QCOMPARE(scans[0].toObject()["slices"].toInt(), 3);
+    QCOMPARE(scans[0].toObject()["events"].toInt(), 1);
+    QCOMPARE(scans[0].toObject()["edits"].toInt(), 1);
+    QCOMPARE(scans[1].toObject()["scan"].toInt(), 2);
+    QCOMPARE(scans[1].toObject()["state"].toString(), "running");
+    QCOMPARE(scans[1].toObject()["beams"].toInt(), 2);
+    QVERIFY(QString::fromUtf8(text.out).simplified().contains("planned slices not given"));
+}
+
+void CliPwscanTest::validateFindsEveryProblem()
+{
+    const QTemporaryDir folder;
+    write(folder, sampleRecording(3, 4));
+    QCOMPARE(runProgram({"validate", "a.pwscan"}, folder.path()).out, QByteArray("a.pwscan: valid\n"));
+    runSql(folder.filePath("a.pwscan").toStdString(),
+           "UPDATE slice SET crc32 = 0 WHERE step = 1; UPDATE slice SET ranges = x'' WHERE step = 2");
+
+    const ProgramRun run = runProgram({"validate", "a.pwscan"}, folder.path());
+    writeBytes(folder.filePath("b.pwscan"), "x");
+
+    QCOMPARE(run.code, 4);
+    QCOMPARE(run.out, QByteArray("warning: a.pwscan: scan 1, step 1: crc32 is not the check sum of the ranges; the "
+                                 "slice is not used\nwarning: a.pwscan: scan 1, step 2: ranges has 0 bytes instead of "
+                                 "16; the slice is not used\na.pwscan: damaged\n"));
+    QCOMPARE(runProgram({"validate", "b.pwscan"}, folder.path()).code, 3);
+}
+
+void CliPwscanTest::aRecordingThatWasBrokenOffIsRead()
+{
+    const QTemporaryDir folder;
+    auto writer = PwscanWriter::create(folder.filePath("a.pwscan").toStdString(), sampleScanRecord(4));
+    QVERIFY(writer->write(sampleRecording(1, 4).slices[0]));
+    for (const char* name : {"", "-wal"})
+        QVERIFY(QFile::copy(folder.filePath(QString("a.pwscan") + name), folder.filePath(QString("b.pwscan") + name)));
+
+    const ProgramRun run = runProgram({"convert", "b.pwscan", "b.csv"}, folder.path());
+
+    QVERIFY2(run.code == 0, run.err);
+    QVERIFY(bytesOf(folder.filePath("b.csv")).contains("\n0,0.000000,10,1000,1001,1002,1003\n"));
+}
+
+void CliPwscanTest::whatLiesBesideABrokenOffRecordingIsNotMixedWithAnother()
+{
+    const QTemporaryDir folder;
+    writeBytes(folder.filePath("a.csv"), recordingText(3, 4, 1500));
+    writeBytes(folder.filePath("b.pwscan-wal"), "what a crash has left");
+
+    const ProgramRun run = runProgram({"convert", "a.csv", "b.pwscan", "--overwrite"}, folder.path());
+
+    QCOMPARE(run.code, 5);
+    QVERIFY2(run.err.contains("b.pwscan: a recording of this name is being written, or was broken off and left "
+                              "b.pwscan-wal; give another name"),
+             run.err);
+    QVERIFY(bytesOf(folder.filePath("b.pwscan")).isNull());
+}
+
+QTEST_GUILESS_MAIN(CliPwscanTest)
+#include "cli_pwscan_test.moc"

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/session/loops/scan_pipeline.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/session/loops/pwscan_recorder.h"
+#include "core/formats/recording_pwscan.h"
+#include "core/params/presets.h"
+#include "devices/emulated/simulated_room.h"
+#include "tests/app/session/loops/batch.h"
+#include "tests/app/session/loops/fakes.h"
+#include "tests/devices/fake_clock.h"
+
+namespace planewright {
+
+using namespace std::chrono_literals;
+
+class ScanPipelineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aLiveScanItsRecordingAndABatchGiveTheSamePlanes();
+    void parametersSetMidScanAreRecordedAndGiveTheSamePlanesAgain();
+    void aRecorderThatFailsForAWhileLosesNothing();
+    void finishingKeepsWhatWasTaken();
+    void abandoningEndsItSoonInEveryMoment();
+    void pausesAreRecorded();
+    void parametersAfterTheLastSliceAreRefused();
+};
+
+namespace {
+
+Parameters precise()
+{
+    Parameters parameters;
+    apply(methodPresets().front(), parameters);
+    return parameters;
+}
+
+std::shared_ptr<ScanSource> room(const Clock& clock, double speed)
+{
+    return std::make_shared<SimulatedRoom>(*makeScene("corridor", 3),
+                                           SimulatedScanner{smallScan(), *simulationNoise("default"), 3, speed}, clock);
+}
+
+/// A pipeline on three threads.
+class RunningPipeline {
+public:
+    enum class Start { Now, Later };
+    RunningPipeline(std::shared_ptr<ScanSource> source, std::unique_ptr<SliceRecorder> recorder, const Clock& clock,
+                    Start start = Start::Now)
+        : pipeline{{std::move(source), std::move(recorder), {{0, precise()}}, false},
+                   {{[] {}, [this](const Error& /*error*/) { ++faults; }, [this](ScanOutcome /*outcome*/) { ++ended; }},
+                    {[this](const Error& /*error*/) { ++troubles; }, [this] { ++recoveries; },
+                     [this](const Result<void>& closed) { ++(closed ? closedWell : closedBadly); }},
+                    [this] { ++news; },
+                    [this](const Error& /*error*/) { ++faults; }},
+                   clock}
+    {
+        if (start == Start::Now)
+            this->start();
+    }
+    ~RunningPipeline()
+    {
+        pipeline.abandon();
+        join();
+    }
+
+    void start()
+    {
+        for (auto& loop : pipeline.loops())
+            threads_.emplace_back(std::move(loop));
+    }
+    void join() { threads_.clear(); }
+
+    std::atomic<int> faults{0};
+    std::atomic<int> ended{0};
+    std::atomic<int> troubles{0};
+    std::atomic<int> recoveries{0};
+    std::atomic<int> closedWell{0};
+    std::atomic<int> closedBadly{0};
+    std::atomic<int> news{0};
+    ScanPipeline pipeline;
+
+private:
+    std::vector<std::jthread> threads_;
+};
+
+}  // namespace
+
+void ScanPipelineTest::aLiveScanItsRecordingAndABatchGiveTheSamePlanes()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("scan.pwscan").toStdString();
+    RunningPipeline run{room(steadyClock(), 0.0),
+                        std::make_unique<PwscanRecorder>(path, PwscanRecorder::Target::NewFile, "corridor"),
+                        steadyClock()};
+
+    run.join();
+
+    const std::string planes = planesText(*run.pipeline.take().back().snapshot);
+    const auto recording = readRecordingPwscan(path);
+    QVERIFY(recording);
+    QCOMPARE(recording->notes.scan.state, ScanState::Complete);
+    QCOMPARE(recording->notes.scan.plannedSlices.value(), 40);
+    const auto stored = readParameterEvents(recording->notes.events, path);
+    QVERIFY(stored);
+    QCOMPARE(planes, batchPlanes(recording->read.recording, *stored));
+    const Recording simulated =
+        asRecorded(simulate(*makeScene("corridor", 3), smallScan(), *simulationNoise("default"), 3).recording);
+    QCOMPARE(planes, batchPlanes(simulated, {{0, precise()}}));
+    QCOMPARE(run.closedWell.load(), 1);
+    QVERIFY(run.pipeline.status().recording.bytes > 0);
+    QVERIFY(run.pipeline.status().recording.freeBytes.value() > 0);
+}
+
+void ScanPipelineTest::parametersSetMidScanAreRecordedAndGiveTheSamePlanesAgain()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("scan.pwscan").toStdString();
+    Parameters changed = precise();
+    changed.likelihood.enoughPoints = 400;
+    const Recording recording =
+        simulate(*makeScene("corridor", 3), smallScan(), *simulationNoise("default"), 3).recording;
+    auto source = std::make_shared<ScriptedSource>(recording);
+    RunningPipeline run{source, std::make_unique<PwscanRecorder>(path, PwscanRecorder::Target::NewFile, "corridor"),
+                        steadyClock(), RunningPipeline::Start::Later};
+    source->onNext = [&](int call) -> Result<void> {
+        if (call == 17)
+            run.pipeline.setParameters(changed);
+        return {};
+    };
+    run.start();
+    run.join();
+
+    const std::string planes = planesText(*run.pipeline.take().back().snapshot);
+    const auto read = readRecordingPwscan(path);
+    QVERIFY(read);
+    const auto stored = readParameterEvents(read->notes.events, path);
+    QVERIFY(stored);
+    QCOMPARE(stored->size(), std::size_t(2));
+    QCOMPARE((*stored)[1].step, 17);
+    QCOMPARE(planes, batchPlanes(read->read.recording, *stored));
+    QCOMPARE(planes, batchPlanes(asRecorded(recording), {{0, precise()}, {17, changed}}));
+}
+
+void ScanPipelineTest::aRecorderThatFailsForAWhileLosesNothing()
+{
+    const FakeClock clock;
+    auto scan = std::make_shared<RecordedScan>();
+    auto source = std::make_shared<ScriptedSource>(emptySlices(300));
+    source->onNext = [&](int call) -> Result<void> {
+        scan->fails = call >= 100 && call < 200;
+        return {};
+    };
+    RunningPipeline run{source, std::make_unique<FakeRecorder>(scan), clock};
+
+    run.join();
+
+    QCOMPARE(run.pipeline.status().extracted, 300);
+    QCOMPARE(scan->slices(), 300);
+    QCOMPARE(scan->copy().back(), std::string("close complete"));
+    QCOMPARE(run.pipeline.take().size(), std::size_t(301));
+}
+
+void ScanPipelineTest::finishingKeepsWhatWasTaken()
+{
+    auto scan = std::make_shared<RecordedScan>();
+    auto source = std::make_shared<ScriptedSource>(emptySlices(20));
+    source->endless = true;
+    RunningPipeline run{source, std::make_unique<FakeRecorder>(scan), steadyClock()};
+    QTRY_COMPARE(run.pipeline.status().extracted, 20);
+
+    run.pipeline.finish();
+    run.join();
+
+    QCOMPARE(scan->slices(), 20);
+    QCOMPARE(run.pipeline.take().back().snapshot->report.step, -1);
+    QVERIFY(!scan->isOpen);
+    QVERIFY(source->stops >= 1);
+}
+
+void ScanPipelineTest::abandoningEndsItSoonInEveryMoment()
+{
+    for (int cycle = 0; cycle < 100; ++cycle) {
+        auto scan = std::make_shared<RecordedScan>();
+        auto source = std::make_shared<ScriptedSource>(emptySlices(50));
+        source->endless = true;
+        if (cycle % 3 == 0)
+            source->onNext = [](int call) -> Result<void> {
+                return call == 20 ? fail(ErrorCode::Internal, "The scanner is silent.") : Result<void>{};
+            };
+        RunningPipeline run{source, std::make_unique<FakeRecorder>(scan), steadyClock()};
+        while (run.pipeline.status().acquired < cycle % 20)
+            std::this_thread::yield();
+
+        run.pipeline.abandon();
+        run.join();
+
+        QVERIFY(!scan->isOpen);
+        QCOMPARE(scan->slices(), run.pipeline.status().acquired);
+    }
+}
+
+void ScanPipelineTest::pausesAreRecorded()
+{
+    const FakeClock clock;
+    auto scan = std::make_shared<RecordedScan>();
+    RunningPipeline run{room(clock, 1.0), std::make_unique<FakeRecorder>(scan), clock};
+
+    QVERIFY(run.pipeline.pause());
+    QVERIFY(run.pipeline.resume());
+    run.join();
+
+    const auto lines = scan->copy();
+    QVERIFY(std::find(lines.begin(), lines.end(), "event pause") != lines.end());
+    QVERIFY(std::find(lines.begin(), lines.end(), "event resume") != lines.end());
+    QCOMPARE(scan->slices(), 40);
+}
+
+void ScanPipelineTest::parametersAfterTheLastSliceAreRefused()
+{
+    RunningPipeline run{std::make_shared<ScriptedSource>(emptySlices(3)), nullptr, steadyClock()};
+    run.join();
+
+    QVERIFY(!run.pipeline.setParameters(precise()));
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::ScanPipelineTest)
+#include "scan_pipeline_test.moc"
