@@ -18,7 +18,7 @@ constexpr std::array<FilterKey, 3> kKeys{{
     {"message", FilterKey::Kind::Text, static_cast<int>(LogColumn::Message)},
 }};
 
-QString levelText(LogLevel level)
+QString levelText(LogSeverity level)
 {
     static constexpr std::array<const char*, 4> kTexts{"debug", "info", "warning", "error"};
     return QString::fromLatin1(kTexts[static_cast<std::size_t>(level)]);
@@ -106,7 +106,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const
         case kPlainTextRole:
             return levelText(entry.level) + ' ' + entry.source + ' ' + entry.message;
         case Qt::FontRole:
-            if (entry.level == LogLevel::Error || entry.level == LogLevel::Warning) {
+            if (entry.level == LogSeverity::Error || entry.level == LogSeverity::Warning) {
                 QFont font;
                 font.setBold(true);
                 return font;

@@ -14,12 +14,12 @@
 
 namespace planewright {
 
-enum class LogLevel { Debug, Info, Warning, Error };
+enum class LogSeverity { Debug, Info, Warning, Error };
 
 /// One line of the log.
 struct LogEntry {
     QDateTime time;  ///< local
-    LogLevel level = LogLevel::Info;
+    LogSeverity level = LogSeverity::Info;
     QString source;  ///< scanner, extraction, file, …
     QString message;
 };
