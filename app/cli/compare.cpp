@@ -9,11 +9,11 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/input_file.h"
 #include "app/cli/json_text.h"
 #include "app/cli/number_option.h"
 #include "app/cli/planes_file.h"
 #include "app/cli/text.h"
+#include "app/files/input_file.h"
 #include "core/evaluation/compare_labels.h"
 #include "core/evaluation/compare_planes.h"
 #include "core/formats/labels.h"

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "app/cli/commands.h"
-#include "app/cli/file_kind.h"
 #include "app/cli/output_files.h"
 #include "app/cli/recording_file.h"
+#include "app/files/file_kind.h"
 
 namespace planewright {
 

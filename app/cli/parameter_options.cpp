@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 
 #include "app/cli/console.h"
-#include "app/cli/input_file.h"
 #include "app/cli/text.h"
+#include "app/files/input_file.h"
 #include "core/formats/preset_file.h"
 #include "core/params/presets.h"
 #include "core/params/registry.h"

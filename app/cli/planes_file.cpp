@@ -3,8 +3,8 @@
 
 #include "app/cli/planes_file.h"
 
-#include "app/cli/file_kind.h"
-#include "app/cli/input_file.h"
+#include "app/files/file_kind.h"
+#include "app/files/input_file.h"
 #include "core/formats/planes_csv.h"
 #include "core/formats/planes_json.h"
 

@@ -3,56 +3,20 @@
 
 #pragma once
 
-#include <optional>
-#include <ostream>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "core/formats/recording_pwscan.h"
+#include "app/files/recording_file.h"
 #include "core/types/error.h"
 
 namespace planewright {
-
-/// What is read of a recording.
-struct RecordingChoice {
-    std::optional<int> scan;     ///< of a .pwscan; the last without a number
-    bool keepsSuspects = false;  ///< slices whose angle may be wrong are among the slices
-};
-
-/// A recording, with what a .pwscan holds beside it.
-struct RecordingFile {
-    Recording recording;
-    bool damaged = false;  ///< something had to be left out
-    std::optional<ScanNotes> notes;
-};
 
 /// Adds --scan, whose value stays negative where it is not given; and what it chooses.
 void addScanOption(CLI::App& command, int& scan);
 RecordingChoice chosenScan(int scan);
 
-/// Reads a recording of a kind known by its suffix (kRecordingSuffixes); warnings go to stderr. Errors: Usage for
-/// another suffix, or for a scan that is not in the file; Unreadable otherwise.
+/// loadRecordingFile, whose warnings go to stderr.
 Result<RecordingFile> readRecordingFile(const std::string& path, const RecordingChoice& choice = {});
-
-/// One choice for each scan that a file holds. Errors (Unreadable): it cannot be opened.
-Result<std::vector<RecordingChoice>> scansOfRecordingFile(const std::string& path);
-
-/// Every problem of a recording. Errors (Unreadable): it cannot be opened.
-Result<RecordingProblems> problemsOfRecordingFile(const std::string& path);
-
-/// Finds out before any work whether all these names are of recordings. Errors: Usage.
-Result<void> checkRecordingNames(const std::vector<std::string>& paths);
-
-/// Finds out before any work whether a recording may be written there, and gives the suffix. Errors: Usage for a name
-/// of no recording; NotWritten where the file is one that is being recorded, or was broken off: what lies beside it
-/// would be taken for a part of the new one.
-Result<std::string_view> checkRecordingTarget(const std::string& path);
-
-/// Writes a recording as the suffix says; the notes only where the kind can hold them.
-Result<void> writeRecording(std::ostream& out, const Recording& recording, std::string_view suffix,
-                            const std::optional<ScanNotes>& notes = std::nullopt);
 
 }  // namespace planewright

@@ -11,12 +11,12 @@
 
 #include "app/cli/angle_range.h"
 #include "app/cli/commands.h"
-#include "app/cli/file_kind.h"
 #include "app/cli/number_option.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress.h"
 #include "app/cli/recording_file.h"
 #include "app/cli/text.h"
+#include "app/files/file_kind.h"
 #include "core/formats/labels.h"
 #include "core/formats/planes_csv.h"
 #include "core/formats/recording_csv.h"

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "app/cli/file_kind.h"
+#include "app/files/file_kind.h"
 
 #include <algorithm>
-
-#include "app/cli/text.h"
 
 namespace planewright {
 
@@ -19,8 +17,10 @@ Result<std::string_view> suffixOf(const std::string& path, std::span<const std::
         if (lower.size() > suffix.size() && lower.ends_with(suffix))
             return suffix;
     }
-    return fail(ErrorCode::Usage,
-                path + ": the name of " + std::string{what} + " tells its kind; known are " + joined(known));
+    std::string words;
+    for (const std::string_view suffix : known)
+        words += (words.empty() ? "" : ", ") + std::string{suffix};
+    return fail(ErrorCode::Usage, path + ": the name of " + std::string{what} + " tells its kind; known are " + words);
 }
 
 }  // namespace planewright

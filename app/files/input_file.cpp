@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "app/cli/input_file.h"
+#include "app/files/input_file.h"
 
 #include <array>
 #include <cerrno>
@@ -20,7 +20,7 @@ namespace {
 /// Reads from a file descriptor, which it owns.
 class DescriptorBuffer : public std::streambuf {
 public:
-    explicit DescriptorBuffer(int descriptor) : descriptor_(descriptor) {}
+    DescriptorBuffer(int descriptor, std::stop_token stop) : descriptor_(descriptor), stop_(std::move(stop)) {}
     DescriptorBuffer(const DescriptorBuffer&) = delete;
     DescriptorBuffer& operator=(const DescriptorBuffer&) = delete;
     ~DescriptorBuffer() override { ::close(descriptor_); }
@@ -28,6 +28,8 @@ public:
 protected:
     int_type underflow() override
     {
+        if (stop_.stop_requested())
+            throw std::ios_base::failure{"stop"};
         ssize_t count = 0;
         do {
             count = ::read(descriptor_, bytes_.data(), bytes_.size());
@@ -42,12 +44,16 @@ protected:
 
 private:
     int descriptor_;
+    std::stop_token stop_;
     std::array<char, 1 << 16> bytes_;
 };
 
 class DescriptorStream : public std::istream {
 public:
-    explicit DescriptorStream(int descriptor) : std::istream(nullptr), buffer_(descriptor) { rdbuf(&buffer_); }
+    DescriptorStream(int descriptor, const std::stop_token& stop) : std::istream(nullptr), buffer_(descriptor, stop)
+    {
+        rdbuf(&buffer_);
+    }
 
 private:
     DescriptorBuffer buffer_;
@@ -70,13 +76,13 @@ std::string systemAdvice(int error)
 
 }  // namespace
 
-Result<std::unique_ptr<std::istream>> openInput(const std::string& path)
+Result<std::unique_ptr<std::istream>> openInput(const std::string& path, const std::stop_token& stop)
 {
     // Without O_NONBLOCK opening a named pipe would wait for a writer.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     if (descriptor < 0)
         return fail(ErrorCode::Unreadable, path + ": " + systemAdvice(errno));
-    std::unique_ptr<std::istream> stream = std::make_unique<DescriptorStream>(descriptor);
+    std::unique_ptr<std::istream> stream = std::make_unique<DescriptorStream>(descriptor, stop);
     struct stat status {};
     if (::fstat(descriptor, &status) != 0)
         return fail(ErrorCode::Unreadable, path + ": " + systemAdvice(errno));
