@@ -14,18 +14,11 @@
 #include "app/cli/parameter_options.h"
 #include "app/cli/plane_table.h"
 #include "app/cli/recording_file.h"
+#include "app/files/scan_results.h"
 #include "app/files/file_kind.h"
 #include "core/formats/history.h"
-#include "core/formats/labels.h"
-#include "core/formats/planes_csv.h"
-#include "core/formats/planes_dxf.h"
-#include "core/formats/planes_json.h"
-#include "core/formats/planes_mesh.h"
-#include "core/formats/points_files.h"
-#include "core/formats/segments_files.h"
 #include "core/geometry/correct_recording.h"
 #include "core/pipeline/apply_edits.h"
-#include "core/pipeline/complete_labels.h"
 
 namespace planewright {
 
@@ -45,69 +38,18 @@ struct ExtractOptions {
     ParameterOptions parameters;
 };
 
-/// All that the outputs are written from.
-struct Extraction {
-    Recording recording;
-    Parameters parameters;
-    ExtractionResult result;
-    std::vector<PlaneResult> planes;
-    Labels labels;  ///< only where an output needs them
-};
-
-using Writer = std::function<Result<void>(std::ostream&, const Extraction&)>;
-
 /// An opened output and what goes there.
 struct PlannedOutput {
     OutputFile* file = nullptr;
-    Writer writer;
+    ResultWriter writer;
 };
-
-Writer planesWriter(std::string_view suffix)
-{
-    if (suffix == ".json")
-        return [](std::ostream& out, const Extraction& e) {
-            return writePlanesJson(out, e.planes, e.parameters, "planewright " PLANEWRIGHT_VERSION);
-        };
-    if (suffix == ".ply")
-        return [](std::ostream& out, const Extraction& e) { return writePlanesPly(out, e.planes); };
-    if (suffix == ".obj")
-        return [](std::ostream& out, const Extraction& e) { return writePlanesObj(out, e.planes); };
-    if (suffix == ".dxf")
-        return [](std::ostream& out, const Extraction& e) { return writePlanesDxf(out, e.planes); };
-    return [](std::ostream& out, const Extraction& e) { return writePlanesCsv(out, e.planes); };
-}
-
-/// A plan of what stands in the room, at a height above its floor [m].
-Writer floorPlanWriter(double cutHeight)
-{
-    return [cutHeight](std::ostream& out, const Extraction& e) {
-        const auto floor = floorHeight(e.planes);
-        if (!floor)
-            printWarning("no floor is found; the plan is cut at the height of the pitch axis");
-        return writeFloorPlanDxf(out, e.planes, floor ? *floor + cutHeight : 0.0);
-    };
-}
-
-Writer segmentsWriter(std::string_view suffix)
-{
-    if (suffix == ".ply")
-        return [](std::ostream& out, const Extraction& e) { return writeSegmentsPly(out, *e.result.snapshot); };
-    return [](std::ostream& out, const Extraction& e) { return writeSegmentsCsv(out, *e.result.snapshot); };
-}
-
-Writer pointsWriter(std::string_view suffix)
-{
-    if (suffix == ".pcd")
-        return [](std::ostream& out, const Extraction& e) { return writePointsPcd(out, e.recording, e.labels); };
-    return [](std::ostream& out, const Extraction& e) { return writePointsPly(out, e.recording, e.labels); };
-}
 
 /// Opens outputs one by one and remembers the first failure.
 class OutputPlan {
 public:
     explicit OutputPlan(OutputFiles& files) : files_(files) {}
 
-    void add(const std::string& path, const Writer& writer)
+    void add(const std::string& path, const ResultWriter& writer)
     {
         if (path.empty() || !problem_)
             return;
@@ -171,14 +113,14 @@ Result<std::vector<ParametersFrom>> parametersOverSteps(const RecordingFile& inp
 }
 
 /// Makes the planes what the operator sees; an edit that cannot be applied is told.
-void edit(Extraction& extraction, const std::vector<Edit>& edits, const std::string& path)
+void edit(ScanResults& extraction, const std::vector<Edit>& edits, const std::string& path)
 {
     const EditedPlanes edited =
-        applyEdits(*extraction.result.snapshot, edits, extraction.recording.description, extraction.parameters);
+        applyEdits(*extraction.snapshot, edits, extraction.recording.description, extraction.parameters);
     for (const std::string& problem : edited.problems)
         printWarning(path + ": " + problem);
-    extraction.result.snapshot = std::make_shared<const Snapshot>(withPlanes(*extraction.result.snapshot, edited));
-    extraction.planes = planeResults(edited.planes, extraction.result.snapshot->segments);
+    extraction.snapshot = std::make_shared<const Snapshot>(withPlanes(*extraction.snapshot, edited));
+    extraction.planes = planeResults(edited.planes, extraction.snapshot->segments);
 }
 
 Result<ExitCode> extract(const ExtractOptions& options)
@@ -187,13 +129,14 @@ Result<ExitCode> extract(const ExtractOptions& options)
     files.protect(options.input);
     OutputPlan plan{files};
     for (const std::string& path : options.planes)
-        plan.add(path, {".csv", ".json", ".ply", ".obj", ".dxf"}, "the planes", planesWriter);
-    plan.add(options.segments, {".csv", ".ply"}, "the segments", segmentsWriter);
-    plan.add(options.points, {".ply", ".pcd"}, "the points", pointsWriter);
-    plan.add(options.floorPlan, {".dxf"}, "the floor plan",
-             [&](std::string_view) { return floorPlanWriter(options.cutHeight); });
-    plan.add(options.labels, [](std::ostream& out, const Extraction& e) { return writeLabels(out, e.labels); });
-    plan.add(options.stats, [](std::ostream& out, const Extraction& e) { return writeStats(out, e.result.stats); });
+        plan.add(path, kPlanesSuffixes, "the planes", planesWriter);
+    plan.add(options.segments, kSegmentsSuffixes, "the segments", segmentsWriter);
+    plan.add(options.points, kPointsSuffixes, "the points", pointsWriter);
+    plan.add(options.floorPlan, kFloorPlanSuffixes, "the floor plan",
+             [&](std::string_view) { return floorPlanWriter(options.cutHeight, [](std::string_view text) { printWarning(std::string{text}); }); });
+    plan.add(options.labels, [](std::ostream& out, const ScanResults& r) { return writeLabels(out, r.labels); });
+    Stats stats;
+    plan.add(options.stats, [&stats](std::ostream& out, const ScanResults&) { return writeStats(out, stats); });
     if (!plan.problem())
         return tl::unexpected{plan.problem().error()};
     OutputFile* history = nullptr;
@@ -207,7 +150,7 @@ Result<ExitCode> extract(const ExtractOptions& options)
     Result<RecordingFile> input = readRecordingFile(options.input, chosenScan(options.scan));
     if (!input)
         return tl::unexpected{input.error()};
-    Extraction extraction;
+    ScanResults extraction;
     extraction.recording = std::move(input->recording);
     if (const auto kept = keepUntil(extraction.recording, options.until); !kept)
         return tl::unexpected{kept.error()};
@@ -231,13 +174,12 @@ Result<ExitCode> extract(const ExtractOptions& options)
     auto result = runExtraction(extraction.recording, *parameters, work);
     if (!result)
         return tl::unexpected{result.error()};
-    extraction.result = std::move(*result);
+    extraction.snapshot = result->snapshot;
+    stats = result->stats;
     edit(extraction, input->notes && !options.noEdits ? editsInForce(input->notes->edits) : std::vector<Edit>{},
          options.input);
-    if (!options.labels.empty() || !options.points.empty()) {
-        extraction.labels = labelsOf(*extraction.result.snapshot, extraction.recording);
-        completeLabels(extraction.labels, *extraction.result.snapshot, extraction.recording, extraction.parameters);
-    }
+    if (!options.labels.empty() || !options.points.empty())
+        addLabels(extraction);
 
     for (const PlannedOutput& output : plan.outputs()) {
         const auto written = output.file->write([&](std::ostream& out) { return output.writer(out, extraction); });

@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/window_program.h"
+
+int main(int argc, char** argv)
+{
+    const auto options = planewright::parseWindowOptions(argc, argv);
+    return options ? planewright::runWindow(*options, argc, argv) : options.error();
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/exports.h"
+
+#include "app/cli/output_file.h"
+#include "app/files/file_kind.h"
+#include "core/pipeline/apply_edits.h"
+
+namespace planewright {
+
+namespace {
+
+constexpr double kCutHeight = 1.0;  // above the floor [m]
+
+ResultWriter writerOf(ExportKind kind, std::string_view suffix)
+{
+    switch (kind) {
+        case ExportKind::Points:
+            return pointsWriter(suffix);
+        case ExportKind::Segments:
+            return segmentsWriter(suffix);
+        case ExportKind::FloorPlan:
+            return floorPlanWriter(kCutHeight, [](std::string_view) {});
+        case ExportKind::Planes:
+            break;
+    }
+    return planesWriter(suffix);
+}
+
+ScanResults resultsOf(const WindowParts& parts, bool withLabels)
+{
+    const SessionMap& map = *parts.session.map();
+    ScanResults results;
+    results.recording.description = parts.session.description();
+    results.recording.slices.reserve(map.slices.size());
+    for (const SharedSlice& slice : map.slices)
+        results.recording.slices.push_back(*slice);
+    results.parameters = parts.session.parameters();
+    const EditedPlanes edited =
+        applyEdits(*map.snapshot, parts.edits.inForce(), results.recording.description, results.parameters);
+    results.snapshot = std::make_shared<const Snapshot>(withPlanes(*map.snapshot, edited));
+    results.planes = planeResults(edited.planes, results.snapshot->segments);
+    if (withLabels)
+        addLabels(results);
+    return results;
+}
+
+}  // namespace
+
+std::initializer_list<std::string_view> suffixesOf(ExportKind kind)
+{
+    switch (kind) {
+        case ExportKind::Points:
+            return kPointsSuffixes;
+        case ExportKind::Segments:
+            return kSegmentsSuffixes;
+        case ExportKind::FloorPlan:
+            return kFloorPlanSuffixes;
+        case ExportKind::Planes:
+            break;
+    }
+    return kPlanesSuffixes;
+}
+
+Result<void> exportScan(const WindowParts& parts, ExportKind kind, const QString& file)
+{
+    if (!parts.session.map()->snapshot)
+        return fail(ErrorCode::Usage, "There is no scan to export; open or take one first.");
+    const std::string path = file.toStdString();
+    const auto suffix = suffixOf(path, suffixesOf(kind), "the export");
+    if (!suffix)
+        return tl::unexpected{suffix.error()};
+    const auto output = OutputFile::open(path, true);
+    if (!output)
+        return tl::unexpected{output.error()};
+    const ScanResults results = resultsOf(parts, kind == ExportKind::Points);
+    const ResultWriter writer = writerOf(kind, *suffix);
+    return (*output)
+        ->write([&](std::ostream& out) { return writer(out, results); })
+        .and_then([&] { return (*output)->finish(); })
+        .and_then([&] { return (*output)->publish(); });
+}
+
+}  // namespace planewright

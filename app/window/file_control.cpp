@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/file_control.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QSpinBox>
+#include <QStandardPaths>
+
+#include "app/cli/output_file.h"
+#include "app/files/recording_file.h"
+#include "app/window/screenshot.h"
+
+namespace planewright {
+
+namespace {
+
+QString filtersOf(ExportKind kind)
+{
+    QStringList filters;
+    for (const std::string_view suffix : suffixesOf(kind))
+        filters.push_back(QStringLiteral("%1 (*%2)")
+                              .arg(QString::fromUtf8(suffix.data() + 1, static_cast<qsizetype>(suffix.size()) - 1).toUpper(),
+                                   QString::fromUtf8(suffix.data(), static_cast<qsizetype>(suffix.size()))));
+    return filters.join(QStringLiteral(";;"));
+}
+
+}  // namespace
+
+FileControl::FileControl(WindowParts& parts, ScanControl& scan) : QObject(&parts), parts_(parts), scan_(scan)
+{
+    WindowActions& actions = parts_.window->actions();
+    const auto on = [&](const char* name, auto&& call) {
+        connect(actions[QLatin1String(name)], &QAction::triggered, this, call);
+    };
+    on("actOpen", [this] { openWithDialog(); });
+    connect(&parts_.window->welcome(), &WelcomePage::openDialogRequested, this, &FileControl::openWithDialog);
+    on("actSave", [this] {
+        const QString file = QString::fromStdString(parts_.session.status().recording);
+        parts_.say(file.isEmpty() ? tr("This scan is not recorded; Save a copy as… writes it to a file.")
+                                  : tr("Everything is already in %1").arg(file));
+    });
+    on("actSaveCopy", [this] { saveCopy(); });
+    on("actExportPlanes",
+       [this] { exportWithDialog(ExportKind::Planes, tr("Export planes"), QStringLiteral("planes.csv")); });
+    on("actExportPoints",
+       [this] { exportWithDialog(ExportKind::Points, tr("Export points"), QStringLiteral("points.ply")); });
+    on("actExportSegments",
+       [this] { exportWithDialog(ExportKind::Segments, tr("Export segments"), QStringLiteral("segments.csv")); });
+    on("actExportFloorPlan",
+       [this] { exportWithDialog(ExportKind::FloorPlan, tr("Export floor plan"), QStringLiteral("plan.dxf")); });
+    on("actScreenshot", [this] { takeScreenshot(); });
+    on("actScreenshotOptions", [this] { takeScreenshotWithOptions(); });
+    on("actValidate", [this] { validate(); });
+    on("actQuit", [this] { parts_.window->close(); });
+    const auto refresh = [this, &actions] {
+        const bool any = parts_.shown->snapshot != nullptr;
+        for (const char* name : {"actSaveCopy", "actExportPlanes", "actExportPoints", "actExportSegments",
+                                 "actExportFloorPlan", "actScreenshot", "actScreenshotOptions"})
+            actions[QLatin1String(name)]->setEnabled(any);
+    };
+    connect(&parts_, &WindowParts::mapShown, this, refresh);
+    refresh();
+}
+
+QString FileControl::folder() const
+{
+    return parts_.settings
+        .value(QStringLiteral("folder"), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .toString();
+}
+
+void FileControl::openWithDialog()
+{
+    const QString file = QFileDialog::getOpenFileName(
+        parts_.window.get(), tr("Open a recording"), folder(),
+        tr("Recordings (*.pwscan *.csv *.csv.gz);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    parts_.settings.setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath());
+    scan_.open(file);
+}
+
+QString FileControl::chosenTarget(const QString& title, const QString& name, const QString& filters)
+{
+    const QString file =
+        QFileDialog::getSaveFileName(parts_.window.get(), title, folder() + "/" + name, filters);
+    if (!file.isEmpty())
+        parts_.settings.setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath());
+    return file;
+}
+
+void FileControl::saveCopy()
+{
+    const QString file = chosenTarget(tr("Save a copy as"), QStringLiteral("scan.csv.gz"),
+                                      tr("Recordings (*.csv.gz *.csv)"));
+    if (file.isEmpty())
+        return;
+    Recording recording;
+    recording.description = parts_.session.description();
+    for (const SharedSlice& slice : parts_.session.map()->slices)
+        recording.slices.push_back(*slice);
+    const std::string path = file.toStdString();
+    const auto suffix = checkRecordingTarget(path);
+    if (!suffix) {
+        parts_.problem(tr("save"), suffix.error());
+        return;
+    }
+    const auto output = OutputFile::open(path, true);
+    if (!output) {
+        parts_.problem(tr("save"), output.error());
+        return;
+    }
+    const auto done = (*output)
+                          ->write([&](std::ostream& out) { return writeRecording(out, recording, *suffix); })
+                          .and_then([&] { return (*output)->finish(); })
+                          .and_then([&] { return (*output)->publish(); });
+    if (done)
+        parts_.say(tr("Wrote %1").arg(file));
+    else
+        parts_.problem(tr("save"), done.error());
+}
+
+void FileControl::exportWithDialog(ExportKind kind, const QString& title, const QString& name)
+{
+    const QString file = chosenTarget(title, name, filtersOf(kind));
+    if (file.isEmpty())
+        return;
+    if (const auto done = exportScan(parts_, kind, file); done)
+        parts_.say(tr("Wrote %1").arg(file));
+    else
+        parts_.problem(tr("export"), done.error());
+}
+
+void FileControl::save(const QImage& picture, const QString& file)
+{
+    if (const auto done = savePicture(picture, file); done)
+        parts_.say(tr("Wrote %1").arg(file));
+    else
+        parts_.problem(tr("screenshot"), done.error());
+}
+
+void FileControl::takeScreenshot()
+{
+    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    QDir().mkpath(pictures);
+    const QString name = QDateTime::currentDateTime().toString(QStringLiteral("'planewright-'yyyyMMdd-HHmmss'.png'"));
+    save(takePicture(parts_, {}, false), pictures + "/" + name);
+}
+
+void FileControl::takeScreenshotWithOptions()
+{
+    QDialog dialog(parts_.window.get());
+    dialog.setObjectName(QStringLiteral("screenshotDialog"));
+    dialog.setWindowTitle(tr("Screenshot"));
+    auto* form = new QFormLayout(&dialog);
+    auto* what = new QComboBox;
+    what->setObjectName(QStringLiteral("screenshotWhat"));
+    what->addItems({tr("3D view"), tr("Whole window, as it is")});
+    auto* width = new QSpinBox;
+    auto* height = new QSpinBox;
+    width->setObjectName(QStringLiteral("screenshotWidth"));
+    height->setObjectName(QStringLiteral("screenshotHeight"));
+    for (QSpinBox* box : {width, height}) {
+        box->setRange(16, kMostPixels);
+        box->setSuffix(tr(" px"));
+    }
+    width->setValue(1920);
+    height->setValue(1080);
+    form->addRow(tr("&Show"), what);
+    form->addRow(tr("&Width"), width);
+    form->addRow(tr("&Height"), height);
+    connect(what, &QComboBox::currentIndexChanged, &dialog, [=](int index) {
+        width->setEnabled(index == 0);
+        height->setEnabled(index == 0);
+    });
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
+    form->addRow(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const QString file = chosenTarget(tr("Save screenshot"), QStringLiteral("planewright.png"), tr("Pictures (*.png)"));
+    if (!file.isEmpty())
+        save(takePicture(parts_, {width->value(), height->value()}, what->currentIndex() == 1), file);
+}
+
+void FileControl::validate()
+{
+    const QString file = QFileDialog::getOpenFileName(parts_.window.get(), tr("Validate a recording"), folder(),
+                                                      tr("Recordings (*.pwscan *.csv *.csv.gz)"));
+    if (file.isEmpty())
+        return;
+    const auto problems = problemsOfRecordingFile(file.toStdString());
+    if (!problems) {
+        parts_.problem(tr("validate"), problems.error());
+        return;
+    }
+    for (const std::string& text : problems->problems)
+        parts_.log(LogSeverity::Error, tr("validate"), QString::fromStdString(text));
+    for (const std::string& text : problems->warnings)
+        parts_.log(LogSeverity::Warning, tr("validate"), QString::fromStdString(text));
+    const std::size_t count = problems->problems.size() + problems->more;
+    parts_.window->showBottomPanel(QStringLiteral("logPanel"));
+    parts_.window->banner().showMessage(
+        count > 0 ? Banner::Kind::Problem : Banner::Kind::Notice,
+        count > 0 ? tr("%1: %n problem(s); the log lists them.", nullptr, static_cast<int>(count)).arg(file)
+                  : tr("%1: no problem found.").arg(file));
+}
+
+}  // namespace planewright

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <QObject>
+
+#include "app/window/exports.h"
+#include "app/window/scan_control.h"
+#include "app/window/window_parts.h"
+
+namespace planewright {
+
+/// Actions of files: open, copies, exports and pictures.
+class FileControl : public QObject {
+    Q_OBJECT
+
+public:
+    FileControl(WindowParts& parts, ScanControl& scan);
+
+private:
+    void openWithDialog();
+    void saveCopy();
+    void exportWithDialog(ExportKind kind, const QString& title, const QString& name);
+    void takeScreenshot();
+    void takeScreenshotWithOptions();
+    QString chosenTarget(const QString& title, const QString& name, const QString& filters);
+    void save(const QImage& picture, const QString& file);
+    void validate();
+    QString folder() const;
+
+    WindowParts& parts_;
+    ScanControl& scan_;
+};
+
+}  // namespace planewright

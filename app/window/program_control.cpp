@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/program_control.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDesktopServices>
+#include <QDialog>
+#include <QFile>
+#include <QSysInfo>
+#include <QTextBrowser>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <vtkVersion.h>
+
+#include "ui/dialogs/about_dialog.h"
+#include "ui/dialogs/command_palette.h"
+#include "ui/dialogs/preferences_dialog.h"
+#include "ui/dialogs/shortcuts_dialog.h"
+#include "ui/models/preferences_store.h"
+
+namespace planewright {
+
+ProgramControl::ProgramControl(WindowParts& parts) : QObject(&parts), parts_(parts)
+{
+    for (QAction* action : parts_.window->actions().all())
+        ownShortcuts_[action->objectName()] = action->shortcuts();
+    applyShortcuts();
+    connectLayouts();
+    connectHelp();
+    parts_.logPanel->setReportHead([this] { return versions(); });
+    connect(parts_.window->actions()[QStringLiteral("actPreferences")], &QAction::triggered, this,
+            &ProgramControl::openPreferences);
+    connect(&parts_, &WindowParts::preferencesChanged, this, &ProgramControl::applyShortcuts);
+}
+
+void ProgramControl::applyShortcuts()
+{
+    for (QAction* action : parts_.window->actions().all()) {
+        QList<QKeySequence> keys = ownShortcuts_[action->objectName()];
+        const auto chosen = parts_.preferences.shortcuts.find(action->objectName().toStdString());
+        if (chosen != parts_.preferences.shortcuts.end()) {
+            if (!WindowActions::isFixed(*action))
+                keys.clear();
+            for (const std::string& text : chosen->second) {
+                if (const QKeySequence key(QString::fromStdString(text)); !keys.contains(key))
+                    keys.push_back(key);
+            }
+        }
+        action->setShortcuts(keys);
+    }
+}
+
+void ProgramControl::connectLayouts()
+{
+    MainWindow& window = *parts_.window;
+    WindowActions& actions = window.actions();
+    connect(actions[QStringLiteral("actLayoutOperate")], &QAction::triggered, &window, [&window] {
+        window.present(false);
+        window.operate();
+    });
+    connect(actions[QStringLiteral("actLayoutPresent")], &QAction::triggered, &window, [&window] {
+        window.present(true);
+        window.view().setFocus();
+    });
+    connect(actions[QStringLiteral("actResetLayout")], &QAction::triggered, &window, &MainWindow::resetLayout);
+    connect(actions[QStringLiteral("actFullScreen")], &QAction::toggled, &window, [&window](bool on) {
+        window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
+                                 : window.windowState() & ~Qt::WindowFullScreen);
+    });
+}
+
+QString ProgramControl::versions() const
+{
+    Presenter* presenter = parts_.window->view().presenter();
+    return tr("Planewright %1\nQt %2\nVTK %3\n%4\n%5\nsource: %6")
+        .arg(QStringLiteral(PLANEWRIGHT_VERSION), QString::fromLatin1(qVersion()),
+             QString::fromLatin1(vtkVersion::GetVTKVersion()), QSysInfo::prettyProductName(),
+             presenter != nullptr ? presenter->rendererName() : tr("no renderer"),
+             QString::fromStdString(parts_.session.status().source));
+}
+
+void ProgramControl::connectHelp()
+{
+    WindowActions& actions = parts_.window->actions();
+    const auto on = [&](const char* name, auto&& call) {
+        connect(actions[QLatin1String(name)], &QAction::triggered, this, call);
+    };
+    on("actShortcuts", [this, &actions] { ShortcutsDialog(actions.all(), parts_.window.get()).exec(); });
+    on("actCommandPalette", [this, &actions] { CommandPalette(actions.all(), parts_.window.get()).exec(); });
+    on("actManual", [this] { showPage(tr("Manual"), QStringLiteral(":/manual/window.md")); });
+    on("actParameterReference",
+       [this] { showPage(tr("Parameters"), QStringLiteral(":/manual/parameters.md")); });
+    on("actBugReport", [this] {
+        QApplication::clipboard()->setText(parts_.logPanel->bugReport());
+        parts_.say(tr("Versions and the log are on the clipboard."));
+    });
+    on("actAbout", [this] {
+        AboutDialog({{tr("Planewright"), QStringLiteral(PLANEWRIGHT_VERSION)},
+                     {QStringLiteral("Qt"), QString::fromLatin1(qVersion())},
+                     {QStringLiteral("VTK"), QString::fromLatin1(vtkVersion::GetVTKVersion())}},
+                    parts_.window.get())
+            .exec();
+    });
+}
+
+void ProgramControl::showPage(const QString& title, const QString& resource)
+{
+    QFile file(resource);
+    QDialog dialog(parts_.window.get());
+    dialog.setObjectName(QStringLiteral("pageDialog"));
+    dialog.setWindowTitle(title);
+    dialog.resize(860, 640);
+    auto* layout = new QVBoxLayout(&dialog);
+    auto* text = new QTextBrowser;
+    text->setOpenExternalLinks(false);
+    text->setAccessibleName(title);
+    if (file.open(QIODevice::ReadOnly))
+        text->setMarkdown(QString::fromUtf8(file.readAll()));
+    layout->addWidget(text);
+    dialog.exec();
+}
+
+void ProgramControl::openPreferences()
+{
+    WindowActions& actions = parts_.window->actions();
+    PreferencesContext context;
+    context.presets = parts_.parameters.presetNames();
+    context.actions = actions.all();
+    for (const QAction* action : actions.all()) {
+        if (WindowActions::isFixed(*action))
+            context.keptShortcuts.insert(action->objectName());
+    }
+    context.advancedActions = {actions[QStringLiteral("actResetLayout")]};
+    PreferencesDialog dialog(parts_.preferences, context, parts_.window.get());
+    connect(&dialog, &PreferencesDialog::applied, this, [this](const Preferences& preferences) {
+        parts_.preferences = preferences;
+        savePreferences(parts_.preferences, parts_.settings);
+        emit parts_.preferencesChanged();
+    });
+    dialog.exec();
+}
+
+}  // namespace planewright

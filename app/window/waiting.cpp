@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/waiting.h"
+
+#include <optional>
+
+#include <QDeadlineTimer>
+#include <QEventLoop>
+#include <QTimer>
+
+namespace planewright {
+
+bool waitUntil(const std::function<bool()>& holds, std::chrono::milliseconds time)
+{
+    constexpr int kLookEvery = 5;  // [ms]
+    const QDeadlineTimer deadline(time);
+    QEventLoop loop;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+        if (holds() || deadline.hasExpired())
+            loop.quit();
+    });
+    if (holds())
+        return true;
+    look.start(kLookEvery);
+    loop.exec();
+    return holds();
+}
+
+Result<void> waitForRest(WindowParts& parts, std::chrono::milliseconds time)
+{
+    std::optional<Error> failed;
+    const auto connection = QObject::connect(&parts.session, &ScanSession::faulted, &parts,
+                                             [&](const Error& error) { failed = error; });
+    const bool rested = waitUntil(
+        [&] {
+            const SessionState state = parts.session.state();
+            const bool rests = state == SessionState::Empty || state == SessionState::Ready ||
+                               state == SessionState::Review || state == SessionState::ReadOnly ||
+                               state == SessionState::Paused;
+            const std::shared_ptr<const SessionMap> map = parts.session.map();
+            return failed || (rests && !parts.worker.isBusy() && parts.shown->snapshot == map->snapshot);
+        },
+        time);
+    QObject::disconnect(connection);
+    if (failed)
+        return tl::unexpected{*failed};
+    if (!rested)
+        return fail(ErrorCode::Internal, "The scan did not come to rest within " +
+                                             std::to_string(time.count() / 1000) + " s.");
+    return {};
+}
+
+}  // namespace planewright

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/window_program.h"
+
+#include <cstdio>
+
+#include <QApplication>
+#include <QDir>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "app/cli/exit_code.h"
+#include "app/window/file_control.h"
+#include "app/window/measure_control.h"
+#include "app/window/plane_edits.h"
+#include "app/window/program_control.h"
+#include "app/window/scan_control.h"
+#include "app/window/screenshot.h"
+#include "app/window/script_runner.h"
+#include "app/window/view_control.h"
+#include "app/window/waiting.h"
+#include "ui/models/preset_folder.h"
+#include "ui/theme/theme_follower.h"
+
+namespace planewright {
+
+namespace {
+
+constexpr std::chrono::minutes kLongestScan{60};
+
+int tell(const Error& error)
+{
+    std::fprintf(stderr, "planewright: %s\n", error.message.c_str());
+    return static_cast<int>(exitCodeOf(error.code));
+}
+
+PresenterSettings presenterSettings(const WindowOptions& options)
+{
+    PresenterSettings settings;
+    const QString platform = QGuiApplication::platformName();
+    settings.image = platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") ||
+                     options.renderer == RendererChoice::Osmesa || options.renderer == RendererChoice::Egl;
+    settings.offscreen = options.renderer == RendererChoice::Egl      ? OffscreenRenderer::Egl
+                         : options.renderer == RendererChoice::Osmesa ? OffscreenRenderer::Osmesa
+                                                                      : OffscreenRenderer::Auto;
+    return settings;
+}
+
+SessionOptions sessionOptions(const WindowOptions& options)
+{
+    SessionOptions session;
+    session.chooseParameters = [parameters = options.parameters](const std::string& scanner,
+                                                                 std::vector<ParametersFrom> stored) {
+        return parametersInForce(parameters, scanner,
+                                 parameters.preset.empty() ? std::move(stored) : std::vector<ParametersFrom>{});
+    };
+    return session;
+}
+
+/// What the command line asks for beyond showing the window; the exit code.
+int perform(const WindowOptions& options, WindowParts& parts, ScanControl& scan)
+{
+    if (!options.script.empty()) {
+        ScriptRunner script(parts, scan);
+        if (const auto done = script.run(QString::fromStdString(options.script)); !done)
+            return tell(done.error());
+    }
+    if (options.screenshot.empty())
+        return 0;
+    if (const auto rested = waitForRest(parts, kLongestScan); !rested)
+        return tell(rested.error());
+    if (options.step >= 0) {
+        if (const auto gone = parts.session.goToStep(options.step); !gone)
+            return tell(gone.error());
+        if (const auto rested = waitForRest(parts, kLongestScan); !rested)
+            return tell(rested.error());
+    }
+    const QSize size = options.wholeWindow ? QSize() : QSize(options.width, options.height);
+    const auto saved = savePicture(takePicture(parts, size, options.wholeWindow),
+                                   QString::fromStdString(options.screenshot));
+    return saved ? 0 : tell(saved.error());
+}
+
+}  // namespace
+
+int runWindow(const WindowOptions& options, int& argc, char** argv)
+{
+    if (options.offscreen)
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (options.scale != 1.0)
+        qputenv("QT_SCALE_FACTOR", QByteArray::number(options.scale));
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication app(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("planewright"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Planewright"));
+    QApplication::setApplicationVersion(QStringLiteral(PLANEWRIGHT_VERSION));
+    // Numbers look alike everywhere, in the window as in files.
+    QLocale::setDefault(QLocale::c());
+
+    const QString config =
+        QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/planewright";
+    // Pictures and scripts must not depend on what somebody has set up.
+    const bool plain = options.safeMode || options.offscreen;
+    const QTemporaryDir scratch;
+    ThemeFollower follower;
+    WindowParts parts(sessionOptions(options), (plain ? scratch.path() : config) + "/window.ini");
+    if (options.theme || plain)
+        parts.preferences.theme = options.theme == Theme::Dark ? ThemeChoice::Dark : ThemeChoice::Light;
+    PresetFolder(config + "/presets").load(parts.parameters);
+
+    if (const auto presented = parts.window->view().present(presenterSettings(options)); !presented)
+        return tell(presented.error());
+    ViewControl view(parts, follower);
+    ScanControl scan(parts);
+    PlaneEdits edits(parts);
+    MeasureControl measure(parts);
+    FileControl files(parts, scan);
+    ProgramControl program(parts);
+    if (!plain)
+        parts.window->restoreLayout(parts.settings);
+    parts.window->beforeClose = [&] {
+        (void)parts.session.stopMotion();
+        if (!plain)
+            parts.window->saveLayout(parts.settings);
+    };
+    if (options.offscreen && options.wholeWindow)
+        parts.window->resize(options.width, options.height);
+    if (options.theme == std::nullopt && !plain)
+        follower.askDesktop();
+    parts.window->show();
+    if (!options.input.empty())
+        scan.open(QString::fromStdString(options.input), true);
+
+    const bool endsBySelf = !options.script.empty() || !options.screenshot.empty();
+    if (endsBySelf)
+        QTimer::singleShot(0, &app, [&] { QApplication::exit(perform(options, parts, scan)); });
+    const int code = QApplication::exec();
+    parts.session.close();
+    return code;
+}
+
+}  // namespace planewright
