@@ -49,7 +49,7 @@ Result<AngleRange> parseAngleRange(const std::string& option, const std::string&
         return refuse("never reaches its end; give a step that leads from A to B");
     if (!most)
         return AngleRange{degrees(first), degrees(step), 0};
-    const double count = std::floor((last - first) / step + 1e-9) + (end == RangeEnd::Closed ? 1.0 : 0.0);
+    const double count = angleCount(first, last, step, end);
     if (count < 1.0)
         return refuse("holds no angle; give a smaller step");
     if (count > *most)

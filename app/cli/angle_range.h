@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/types/angle_range.h"
 #include "core/types/error.h"
 
 namespace planewright {
@@ -17,15 +18,9 @@ struct AngleRange {
     int count = 0;
 };
 
-/// Whether B of A:B:STEP is an angle of its own.
-enum class RangeEnd {
-    Open,   ///< floor((B − A)/STEP + 1e-9) angles from A: 10:170:1.16 gives 137
-    Closed  ///< both ends count: 0:180:0.25 gives 721
-};
-
-/// Reads A:B:STEP in degrees. STEP may be negative where B is below A, for tilts that go down. Errors (Usage) name the
-/// option: not three numbers, no angle at all, more than `most`, an angle beyond ±360°. Without `most` the number of
-/// angles comes from elsewhere and stays 0.
+/// Reads A:B:STEP in degrees; whether B is an angle of its own is said by `end`. STEP may be negative where B is below
+/// A, for tilts that go down. Errors (Usage) name the option: not three numbers, no angle at all, more than `most`, an
+/// angle beyond ±360°. Without `most` the number of angles comes from elsewhere and stays 0.
 Result<AngleRange> parseAngleRange(const std::string& option, const std::string& text, RangeEnd end,
                                    std::optional<int> most);
 

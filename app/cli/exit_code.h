@@ -16,6 +16,7 @@ enum class ExitCode {
     Damaged = 4,     ///< an input was cut short; its valid part was processed and written
     NotWritten = 5,  ///< an output could not be written
     GateFailed = 8,  ///< the work was done, its result is worse than allowed
+    NoRenderer = 9,  ///< nothing here can draw
     Interrupted = 130,
 };
 
@@ -31,6 +32,8 @@ constexpr ExitCode exitCodeOf(ErrorCode code)
             return ExitCode::NotWritten;
         case ErrorCode::GateFailed:
             return ExitCode::GateFailed;
+        case ErrorCode::NoRenderer:
+            return ExitCode::NoRenderer;
         case ErrorCode::Interrupted:
             return ExitCode::Interrupted;
         case ErrorCode::Internal:

@@ -18,11 +18,13 @@
 #include "core/formats/history.h"
 #include "core/formats/labels.h"
 #include "core/formats/planes_csv.h"
+#include "core/formats/planes_dxf.h"
 #include "core/formats/planes_json.h"
 #include "core/formats/planes_mesh.h"
 #include "core/formats/points_files.h"
 #include "core/formats/segments_files.h"
 #include "core/geometry/correct_recording.h"
+#include "core/pipeline/apply_edits.h"
 #include "core/pipeline/complete_labels.h"
 
 namespace planewright {
@@ -34,9 +36,11 @@ struct ExtractOptions {
     int scan = -1;   ///< the last
     int until = -1;  ///< all steps
     std::vector<std::string> planes;
-    std::string segments, points, labels, history, stats;
+    std::string segments, points, labels, history, stats, floorPlan;
+    double cutHeight = 1.0;  ///< above the floor [m]
     bool historyTimes = false;
     int repeats = 1;
+    bool noEdits = false;
     bool overwrite = false;
     ParameterOptions parameters;
 };
@@ -68,7 +72,20 @@ Writer planesWriter(std::string_view suffix)
         return [](std::ostream& out, const Extraction& e) { return writePlanesPly(out, e.planes); };
     if (suffix == ".obj")
         return [](std::ostream& out, const Extraction& e) { return writePlanesObj(out, e.planes); };
+    if (suffix == ".dxf")
+        return [](std::ostream& out, const Extraction& e) { return writePlanesDxf(out, e.planes); };
     return [](std::ostream& out, const Extraction& e) { return writePlanesCsv(out, e.planes); };
+}
+
+/// A plan of what stands in the room, at a height above its floor [m].
+Writer floorPlanWriter(double cutHeight)
+{
+    return [cutHeight](std::ostream& out, const Extraction& e) {
+        const auto floor = floorHeight(e.planes);
+        if (!floor)
+            printWarning("no floor is found; the plan is cut at the height of the pitch axis");
+        return writeFloorPlanDxf(out, e.planes, floor ? *floor + cutHeight : 0.0);
+    };
 }
 
 Writer segmentsWriter(std::string_view suffix)
@@ -153,15 +170,28 @@ Result<std::vector<ParametersFrom>> parametersOverSteps(const RecordingFile& inp
     return parametersInForce(options.parameters, scanner, std::move(stored));
 }
 
+/// Makes the planes what the operator sees; an edit that cannot be applied is told.
+void edit(Extraction& extraction, const std::vector<Edit>& edits, const std::string& path)
+{
+    const EditedPlanes edited =
+        applyEdits(*extraction.result.snapshot, edits, extraction.recording.description, extraction.parameters);
+    for (const std::string& problem : edited.problems)
+        printWarning(path + ": " + problem);
+    extraction.result.snapshot = std::make_shared<const Snapshot>(withPlanes(*extraction.result.snapshot, edited));
+    extraction.planes = planeResults(edited.planes, extraction.result.snapshot->segments);
+}
+
 Result<ExitCode> extract(const ExtractOptions& options)
 {
     OutputFiles files{options.overwrite};
     files.protect(options.input);
     OutputPlan plan{files};
     for (const std::string& path : options.planes)
-        plan.add(path, {".csv", ".json", ".ply", ".obj"}, "the planes", planesWriter);
+        plan.add(path, {".csv", ".json", ".ply", ".obj", ".dxf"}, "the planes", planesWriter);
     plan.add(options.segments, {".csv", ".ply"}, "the segments", segmentsWriter);
     plan.add(options.points, {".ply", ".pcd"}, "the points", pointsWriter);
+    plan.add(options.floorPlan, {".dxf"}, "the floor plan",
+             [&](std::string_view) { return floorPlanWriter(options.cutHeight); });
     plan.add(options.labels, [](std::ostream& out, const Extraction& e) { return writeLabels(out, e.labels); });
     plan.add(options.stats, [](std::ostream& out, const Extraction& e) { return writeStats(out, e.result.stats); });
     if (!plan.problem())
@@ -202,7 +232,8 @@ Result<ExitCode> extract(const ExtractOptions& options)
     if (!result)
         return tl::unexpected{result.error()};
     extraction.result = std::move(*result);
-    extraction.planes = planeResults(*extraction.result.snapshot);
+    edit(extraction, input->notes && !options.noEdits ? editsInForce(input->notes->edits) : std::vector<Edit>{},
+         options.input);
     if (!options.labels.empty() || !options.points.empty()) {
         extraction.labels = labelsOf(*extraction.result.snapshot, extraction.recording);
         completeLabels(extraction.labels, *extraction.result.snapshot, extraction.recording, extraction.parameters);
@@ -228,16 +259,21 @@ void addExtractCommand(CLI::App& program, Command& chosen)
     command.add_option("INPUT", options->input, "recording (.csv, .csv.gz or .pwscan)")->required();
     command
         .add_option("--planes", options->planes,
-                    "planes as .csv, .json, .ply or .obj, repeatable; without any output a table is printed")
+                    "planes as .csv, .json, .ply, .obj or .dxf, repeatable; without any output a table is printed")
         ->type_name("FILE")
         ->allow_extra_args(false);
     command.add_option("--segments", options->segments, "line segments as .csv or .ply")->type_name("FILE");
     command.add_option("--points", options->points, "points with their planes as .ply or .pcd")->type_name("FILE");
     command.add_option("--labels", options->labels, "plane of every beam, a line per slice")->type_name("FILE");
+    command.add_option("--floor-plan", options->floorPlan, "plan of the room, seen from above, as .dxf")
+        ->type_name("FILE");
+    addNumber(command, "--cut-height", options->cutHeight, 0.0, 100.0,
+              "height above the floor at which the plan is cut, in metres (default 1)");
     command.add_option("--history", options->history, "every decision of every step (NDJSON)")->type_name("FILE");
     command.add_flag("--history-times", options->historyTimes, "with the time of each phase in the history");
     command.add_option("--stats", options->stats, "counts and times (JSON)")->type_name("FILE");
     addScanOption(command, options->scan);
+    command.add_flag("--no-edits", options->noEdits, "planes as they were found, without what was edited in a .pwscan");
     addWholeNumber(command, "--until", options->until, 0, kMaxStep,
                    "last step to use (counted from 0), as if the scan had ended there");
     addWholeNumber(command, "--repeat", options->repeats, 1, 10000, "runs; times are medians over them");

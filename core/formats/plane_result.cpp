@@ -16,6 +16,15 @@ std::vector<PlaneResult> planeResults(const Snapshot& snapshot)
     return results;
 }
 
+std::vector<PlaneResult> planeResults(std::span<const EditedPlane> planes, const SegmentLog& log)
+{
+    std::vector<PlaneResult> results;
+    results.reserve(planes.size());
+    for (const EditedPlane& edited : planes)
+        results.push_back({edited.plane, outlineOf(*edited.plane, log), edited.name, edited.className});
+    return results;
+}
+
 PlaneResult knownPlane(PlaneId id, std::string_view name, const Eigen::Vector3d& normal, double distance, int points)
 {
     auto plane = std::make_shared<Plane>();

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/geometry/outline.h"
+#include "core/types/edited_plane.h"
 #include "core/types/plane.h"
 #include "core/types/snapshot.h"
 
@@ -24,6 +26,9 @@ struct PlaneResult {
 
 /// The planes of a snapshot in order of id, each with its outline.
 std::vector<PlaneResult> planeResults(const Snapshot& snapshot);
+
+/// Planes as the operator sees them in the order given, each with its outline; `log` holds their segments.
+std::vector<PlaneResult> planeResults(std::span<const EditedPlane> planes, const SegmentLog& log);
 
 /// A plane of which only parameters, name and scan points are known, as a simulated room has them; files leave the rest
 /// empty. Turns normal and distance [m] round where needed (makeCanonical).

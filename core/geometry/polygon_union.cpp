@@ -118,7 +118,10 @@ std::vector<Group> groupsApart(const std::vector<PlanarRing>& rings, double marg
 }
 
 /// The union of paths that follow each other: parts first, because neighbours melt into few edges.
-Paths unite(std::span<const Path> paths)
+///
+/// Holes below an area are left out: neither more paths nor closing cracks makes a hole larger, and Clipper's time
+/// grows with the square of the paths side by side, which slivers between strips are by the thousand.
+Paths unite(std::span<const Path> paths, double smallestHole)
 {
     ClipperLib::Clipper clipper;
     if (paths.size() <= kUnitedAtOnce) {
@@ -127,10 +130,15 @@ Paths unite(std::span<const Path> paths)
     } else {
         const std::size_t part = (paths.size() + 3) / 4;
         for (; !paths.empty(); paths = paths.subspan(std::min(part, paths.size())))
-            clipper.AddPaths(unite(paths.first(std::min(part, paths.size()))), ClipperLib::ptSubject, true);
+            clipper.AddPaths(unite(paths.first(std::min(part, paths.size())), smallestHole), ClipperLib::ptSubject,
+                             true);
     }
     Paths united;
     clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+    std::erase_if(united, [smallestHole](const Path& path) {
+        const double area = ClipperLib::Area(path);
+        return area < 0.0 && area > -smallestHole;
+    });
     return united;
 }
 
@@ -183,7 +191,7 @@ std::vector<PlanarPolygon> unionOf(const std::vector<PlanarRing>& rings)
         Paths paths;
         for (const std::size_t i : group)
             paths.push_back(grid.toGrid(rings[i]));
-        paths = unite(paths);
+        paths = unite(paths, kSmallestHole * grid.unitsPerMetre * grid.unitsPerMetre);
         for (Path& path : paths)
             path = grid.toGrid(simplifyRing(grid.fromGrid(path), kCorner));
         PolyTree closed;

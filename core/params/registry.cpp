@@ -100,22 +100,13 @@ std::string listOf(const std::vector<std::string_view>& words)
     return list;
 }
 
-std::string allowed(const ParameterRow& row)
-{
-    if (!row.choices.empty())
-        return listOf(row.choices);
-    const std::string unit = row.unitName.empty() ? "" : " " + std::string{row.unitName};
-    return (row.unit == Unit::Count ? "a whole number from " : "a number from ") + numberText(row.lowest) + " to " +
-           numberText(row.highest) + unit;
-}
-
 template <class Struct, class Value>
 Result<void> setValue(const Parameter<Struct, Value>& parameter, Struct& target, std::string_view text)
 {
     const ParameterRow row = rowOf(parameter);
     const auto refuse = [&] {
         return fail(ErrorCode::Usage, "parameter " + std::string{row.key} + ": '" + std::string{text} +
-                                          "' is not allowed; give " + allowed(row));
+                                          "' is not allowed; give " + allowedValues(row));
     };
     if (!row.choices.empty()) {
         const auto word = std::find(row.choices.begin(), row.choices.end(), text);
@@ -204,6 +195,15 @@ std::string printParameter(const Parameters& parameters, std::string_view key)
     });
     assert(!text.empty());
     return text;
+}
+
+std::string allowedValues(const ParameterRow& row)
+{
+    if (!row.choices.empty())
+        return listOf(row.choices);
+    const std::string unit = row.unitName.empty() ? "" : " " + std::string{row.unitName};
+    return (row.unit == Unit::Count ? "a whole number from " : "a number from ") + numberText(row.lowest) + " to " +
+           numberText(row.highest) + unit;
 }
 
 std::string_view nearestKey(std::string_view key)

@@ -38,6 +38,9 @@ Result<void> setParameter(Parameters& parameters, std::string_view assignment);
 /// A parameter's value as text in the unit that people see; setParameter reads it back. The key must exist.
 std::string printParameter(const Parameters& parameters, std::string_view key);
 
+/// What a parameter may be, for a sentence that begins with "give": "a number from 0 to 0.5 m", "ml or foot".
+std::string allowedValues(const ParameterRow& row);
+
 /// The key nearest in spelling, for messages about unknown keys; empty where none is near.
 std::string_view nearestKey(std::string_view key);
 

@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include <vector>
+
 #include "core/planes/plane_map.h"
+#include "core/planes/plane_search.h"
 
 namespace planewright {
 
@@ -13,6 +16,11 @@ namespace planewright {
 /// The segments of such a plane are searched for planes anew; the largest found keeps the plane's id, the others get
 /// ids of their own, and segments in none of them are clustered again.
 void splitPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// The planes found among segments, as a split finds them, in the order in which they were found; segments in none stay
+/// behind in `members`.
+std::vector<FoundPlane> partsOf(std::vector<SegmentNumber>& members, const SegmentTable& table,
+                                const PlaneParameters& parameters);
 
 /// δ_Π of Eq. (22) [m] and what it may be where it was found.
 struct PairDistance {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/planes/plane_search.h"
 #include "core/planes/segment_run.h"
 #include "core/planes/split_and_merge.h"
 
@@ -23,20 +22,6 @@ std::vector<Candidate> candidatesOf(const std::vector<SegmentNumber>& members)
     for (std::size_t i = 0; i < members.size(); ++i)
         candidates.push_back({members[i], i % stride == 0});
     return candidates;
-}
-
-/// The planes found among the members of a plane; those left in none stay behind in `members`.
-std::vector<FoundPlane> partsOf(std::vector<SegmentNumber>& members, const SegmentTable& table,
-                                const PlaneParameters& parameters)
-{
-    std::vector<FoundPlane> parts;
-    while (auto found = findPlane(candidatesOf(members), table, parameters, nullptr)) {
-        std::erase_if(members, [&](SegmentNumber segment) {
-            return std::binary_search(found->members.begin(), found->members.end(), segment);
-        });
-        parts.push_back(std::move(*found));
-    }
-    return parts;
 }
 
 /// Replaces the plane at a place in the map by its parts.
@@ -90,6 +75,19 @@ Test splitTest(GrowingPlane& plane, const SegmentTable& table, const PlaneParame
 }
 
 }  // namespace
+
+std::vector<FoundPlane> partsOf(std::vector<SegmentNumber>& members, const SegmentTable& table,
+                                const PlaneParameters& parameters)
+{
+    std::vector<FoundPlane> parts;
+    while (auto found = findPlane(candidatesOf(members), table, parameters, nullptr)) {
+        std::erase_if(members, [&](SegmentNumber segment) {
+            return std::binary_search(found->members.begin(), found->members.end(), segment);
+        });
+        parts.push_back(std::move(*found));
+    }
+    return parts;
+}
 
 void splitPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
 {

@@ -96,6 +96,7 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
         segment.direction = -directionOf(number, map);
         segment.viewpoint = slice.frame.origin;
         segment.directionSigma = s.slopeInformation > 0.0 ? 1.0 / std::sqrt(s.slopeInformation) : std::numbers::pi;
+        segment.placeSigma = s.offsetInformation > 0.0 ? 1.0 / std::sqrt(s.offsetInformation) : 0.0;
         segment.rms = std::sqrt(s.thickness);
         segment.moments.count = s.points;
         segment.moments.mean = slice.frame.pointAt(s.u, s.v);

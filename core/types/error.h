@@ -16,6 +16,7 @@ enum class ErrorCode {
     Unreadable,   ///< an input that cannot be read or is malformed; nothing was written
     NotWritten,   ///< an output that could not be written; what stood there before is untouched
     GateFailed,   ///< the work was done and its result is worse than the caller allowed
+    NoRenderer,   ///< nothing here can draw
     Interrupted,  ///< the user asked to stop
 };
 

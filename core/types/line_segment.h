@@ -54,6 +54,7 @@ struct LineSegment {
     bool startShadowed = false;   ///< beyond the start point something nearer hides whatever follows
     bool endShadowed = false;     ///< the same beyond the end point
     double directionSigma = 0.0;  ///< standard deviation of the direction in the slice [rad]
+    double placeSigma = 0.0;      ///< of its mean, across the line in the slice [m]; 0 where it is not known
     double rms = 0.0;             ///< of the points about their own line [m]
     PointMoments moments;         ///< of all its points
 

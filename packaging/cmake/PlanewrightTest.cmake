@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Planewright authors
 # SPDX-License-Identifier: BSD-3-Clause
 
+include(PlanewrightQt)
+
 foreach(label IN ITEMS app architecture core devices threads ui)
     add_custom_target(tests_${label})
 endforeach()
@@ -15,8 +17,7 @@ endforeach()
 function(planewright_test target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "" "SOURCES;LIBRARIES")
     add_executable(${target} ${arg_SOURCES})
-    # Qt's moc stumbles over <compare>, <numbers> and others where libstdc++'s own configuration was not read before.
-    set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_MOC_OPTIONS "--include;version")
+    planewright_moc(${target})
     target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} Qt6::Test project_options)
     target_compile_definitions(${target} PRIVATE PLANEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     add_test(NAME ${target} COMMAND ${target})

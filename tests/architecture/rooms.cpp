@@ -53,7 +53,8 @@ std::span<const Room> rooms()
         {"ui/common", {"core"}, kNumbers},
         {"ui/models", {"core", "ui/common"}, kNumbers + Names{"Q"}},
         {"ui/scene", {"core", "ui/common"}, kNumbers + Names{"vtk"}},
-        {"ui", {"core", "ui/common", "ui/models", "ui/scene"}, kNumbers + Names{"Q", "vtk"}},
+        {"ui/opengl", {"core/types"}, Names{"tl/expected.hpp", "vtk", "GL/", "EGL/", "dlfcn.h"}},
+        {"ui", {"core", "ui/common", "ui/models", "ui/opengl", "ui/scene"}, kNumbers + Names{"Q", "vtk"}},
 
         {"app/files", {"core"}, kNumbers + Names{"unistd.h", "sys/", "fcntl.h"}},
         // What a session's threads do knows no Qt, so that the thread sanitizer sees all of it.
@@ -69,7 +70,7 @@ std::span<const Room> rooms()
          kNumbers + Names{"CLI/", "spdlog/", "nlohmann/", "Qt", "unistd.h", "sys/", "fcntl.h"}},
         {"app",
          {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "ui", "ui/common", "ui/models",
-          "ui/scene", "app/files", "app/session", "app/session/loops"},
+          "ui/opengl", "ui/scene", "app/cli", "app/files", "app/session", "app/session/loops"},
          {""}},
     };
     return all;

@@ -11,6 +11,7 @@
 #include "core/types/plane.h"
 #include "core/types/scan_slice.h"
 #include "core/types/snapshot.h"
+#include "ui/common/filled_outline.h"
 
 namespace planewright {
 
@@ -21,6 +22,8 @@ struct ShownPlane {
     std::string className;  ///< floor, ceiling, wall, …
     bool hidden = false;
     bool locked = false;
+    /// Null until it was worked out, and of an earlier revision until that is done again.
+    std::shared_ptr<const FilledOutline> outline;
 };
 
 /// What the window shows of a scan at one moment: immutable, shared, and sharing with the moment before.

@@ -15,6 +15,7 @@
 #include "core/formats/pwscan_writer.h"
 #include "core/formats/recording_pwscan.h"
 #include "core/params/presets.h"
+#include "core/pipeline/apply_edits.h"
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
 #include "core/simulation/scenes.h"
@@ -40,6 +41,9 @@ private slots:
     void scanOfACsvIsWrongUsage();
     void suspectSlicesAreNotUsed();
     void aScanOfSuspectSlicesAloneIsUnreadable();
+    void storedEditsAreApplied();
+    void noEditsLeavesPlanesAsTheyWereFound();
+    void editsOfOtherPlanesAreTold();
     void damagedFileIsUsedInPart();
     void conversionKeepsWhatIsStored();
     void infoTellsEveryScan();
@@ -98,7 +102,9 @@ QByteArray CliPwscanTest::planesWith(const std::vector<ParametersFrom>& paramete
         extractor.advance(slice);
     }
     std::ostringstream out;
-    if (!writePlanesCsv(out, planeResults(*extractor.finish())))
+    const auto found = extractor.finish();
+    const EditedPlanes planes = applyEdits(*found, {}, recording_.description, parameters.back().parameters);
+    if (!writePlanesCsv(out, planeResults(planes.planes, found->segments)))
         return {};
     return QByteArray::fromStdString(out.str());
 }
@@ -292,6 +298,63 @@ void CliPwscanTest::aScanOfSuspectSlicesAloneIsUnreadable()
 
     QCOMPARE(run.code, 3);
     QVERIFY(run.err.contains("a.pwscan: the angle of every slice is suspect; check the tilt unit and scan again"));
+}
+
+void CliPwscanTest::storedEditsAreApplied()
+{
+    const QTemporaryDir folder;
+    ScanNotes notes;
+    notes.edits = {{1, {Edit::Kind::Rename, {0}, "=ground, floor", true}, false},
+                   {2, {Edit::Kind::Classify, {0}, "screed", true}, false},
+                   {3, {Edit::Kind::Delete, {1}, {}, true}, false},
+                   {4, {Edit::Kind::Delete, {2}, {}, true}, true},
+                   {5, {Edit::Kind::Merge, {3, 4}, {}, true}, false}};
+    write(folder, recording_, notes);
+
+    const ProgramRun run = runProgram(
+        {"extract", "a.pwscan", "--planes", "p.csv", "--planes", "p.json", "--labels", "labels", "--segments", "s.csv"},
+        folder.path());
+    const QByteArray planes = bytesOf(folder.filePath("p.csv"));
+    const QJsonArray json = QJsonDocument::fromJson(bytesOf(folder.filePath("p.json"))).object()["planes"].toArray();
+    const QByteArray labels = bytesOf(folder.filePath("labels"));
+
+    QVERIFY2(run.code == 0 && run.err.isEmpty(), run.err);
+    QVERIFY2(planes.contains(",\"'=ground, floor\",screed\n"), planes);
+    QVERIFY(!planes.contains("\n1,"));
+    QVERIFY(planes.contains("\n2,"));
+    QVERIFY(!planes.contains("\n3,") && !planes.contains("\n4,"));
+    QVERIFY(planes.contains("\n1000000,") && planes.contains(",merge:3+4,"));
+    QCOMPARE(json[0].toObject()["name"].toString(), "=ground, floor");
+    QCOMPARE(json[0].toObject()["class"].toString(), "screed");
+    QVERIFY(QStringList({"wall", "ceiling"}).contains(json[1].toObject()["class"].toString()));
+    QVERIFY(labels.contains(" 1000000 "));
+    QVERIFY(!labels.contains(" 1 ") && !labels.contains(" 3 "));
+    QVERIFY(bytesOf(folder.filePath("s.csv")).contains(",1000000\n"));
+}
+
+void CliPwscanTest::noEditsLeavesPlanesAsTheyWereFound()
+{
+    const QTemporaryDir folder;
+    ScanNotes notes;
+    notes.edits = {{1, {Edit::Kind::Delete, {1}, {}, true}, false}};
+    write(folder, recording_, notes);
+
+    QCOMPARE(planesOf(folder, {"--no-edits"}), planesWith({{0, precise_}}));
+    QVERIFY(planesOf(folder) != planesWith({{0, precise_}}));
+}
+
+void CliPwscanTest::editsOfOtherPlanesAreTold()
+{
+    const QTemporaryDir folder;
+    ScanNotes notes;
+    notes.edits = {{1, {Edit::Kind::Rename, {400}, "gone", true}, false}};
+    write(folder, recording_, notes);
+
+    const ProgramRun run = runProgram({"extract", "a.pwscan", "--planes", "p.csv"}, folder.path());
+
+    QCOMPARE(run.code, 0);
+    QCOMPARE(run.err, QByteArray("planewright-cli: warning: a.pwscan: the naming of plane 400 is not applied: there is "
+                                 "no plane 400\n"));
 }
 
 void CliPwscanTest::damagedFileIsUsedInPart()

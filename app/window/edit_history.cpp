@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/edit_history.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace planewright {
+
+void EditHistory::begin(PwscanProject* project, int scan, std::vector<StoredEdit> edits)
+{
+    project_ = project;
+    scan_ = scan;
+    edits_ = std::move(edits);
+    redo_.clear();
+    // What a file holds as undone at its end can be made again.
+    for (std::size_t i = edits_.size(); i > 0 && edits_[i - 1].undone; --i)
+        redo_.push_back(i - 1);
+}
+
+Result<void> EditHistory::add(const Edit& edit)
+{
+    StoredEdit stored{edits_.empty() ? 1 : edits_.back().seq + 1, edit, false};
+    if (project_ != nullptr) {
+        const auto seq = project_->append(scan_, edit);
+        if (!seq)
+            return tl::unexpected{seq.error()};
+        stored.seq = *seq;
+    }
+    edits_.push_back(std::move(stored));
+    redo_.clear();
+    return {};
+}
+
+const StoredEdit* EditHistory::lastDone() const
+{
+    const auto last = std::find_if(edits_.rbegin(), edits_.rend(), [](const StoredEdit& edit) { return !edit.undone; });
+    return last == edits_.rend() ? nullptr : &*last;
+}
+
+Result<void> EditHistory::setUndone(std::size_t place, bool undone)
+{
+    if (project_ != nullptr) {
+        if (auto written = project_->setUndone(edits_[place].seq, undone); !written)
+            return written;
+    }
+    edits_[place].undone = undone;
+    return {};
+}
+
+Result<void> EditHistory::undo()
+{
+    const StoredEdit* last = lastDone();
+    if (last == nullptr)
+        return {};
+    const auto place = static_cast<std::size_t>(last - edits_.data());
+    if (auto done = setUndone(place, true); !done)
+        return done;
+    redo_.push_back(place);
+    return {};
+}
+
+Result<void> EditHistory::redo()
+{
+    if (redo_.empty())
+        return {};
+    if (auto done = setUndone(redo_.back(), false); !done)
+        return done;
+    redo_.pop_back();
+    return {};
+}
+
+}  // namespace planewright

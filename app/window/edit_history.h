@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include "core/formats/pwscan_project.h"
+#include "core/types/edit.h"
+#include "core/types/error.h"
+
+namespace planewright {
+
+/// The edits of a scan's planes, with undo and redo. With a project each of them is in its file when the call returns;
+/// without one they last as long as the scan is open.
+class EditHistory {
+public:
+    /// Begins with the edits that a file holds; `project` may be null, and must outlive its use.
+    void begin(PwscanProject* project, int scan, std::vector<StoredEdit> edits);
+
+    /// Makes an edit; what was undone before can no longer be made again. Errors: NotWritten, and nothing is changed.
+    Result<void> add(const Edit& edit);
+    /// Takes the last edit back, or makes the one taken back last again. Errors: NotWritten. Without any nothing
+    /// happens.
+    Result<void> undo();
+    Result<void> redo();
+
+    bool canUndo() const { return lastDone() != nullptr; }
+    bool canRedo() const { return !redo_.empty(); }
+    std::vector<Edit> inForce() const { return editsInForce(edits_); }
+
+private:
+    const StoredEdit* lastDone() const;
+    Result<void> setUndone(std::size_t place, bool undone);
+
+    PwscanProject* project_ = nullptr;
+    int scan_ = 0;
+    std::vector<StoredEdit> edits_;
+    std::vector<std::size_t> redo_;  // places of edits taken back since the last new one
+};
+
+}  // namespace planewright

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/scan_control.h"
+
+#include <array>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace planewright {
+
+namespace {
+
+constexpr int kMostRecent = 12;
+constexpr std::size_t kQueueWarns = 64;
+
+struct Chip {
+    const char* text;
+    const char* colour;  ///< white on it has a contrast of 4.5 at least
+};
+
+/// Sign, words and colour of each state, in the order of the states.
+constexpr std::array<Chip, kSessionStates> kChips{{{"○ No scan", "#5f6368"},
+                                                   {"◌ Connecting…", "#1f5fae"},
+                                                   {"● Ready", "#1f5fae"},
+                                                   {"⟳ Moving to start", "#8a5a00"},
+                                                   {"● Scanning", "#1b7a36"},
+                                                   {"❚❚ Paused", "#8a5a00"},
+                                                   {"⟳ Catching up", "#1b7a36"},
+                                                   {"✔ Complete", "#1b7a36"},
+                                                   {"▶ Replaying", "#6a3fa0"},
+                                                   {"▲ Fault", "#b3261e"},
+                                                   {"🔒 Read-only", "#5f6368"}}};
+
+QString bytes(std::uint64_t count)
+{
+    if (count < 10'000'000)
+        return QStringLiteral("%1 MB").arg(static_cast<double>(count) / 1e6, 0, 'f', 1);
+    if (count < 10'000'000'000)
+        return QStringLiteral("%1 MB").arg(static_cast<double>(count) / 1e6, 0, 'f', 0);
+    return QStringLiteral("%1 GB").arg(static_cast<double>(count) / 1e9, 0, 'f', 0);
+}
+
+}  // namespace
+
+ScanControl::ScanControl(WindowParts& parts) : QObject(&parts), parts_(parts)
+{
+    connectActions();
+    connectSession();
+    showRecent();
+    takeState(parts_.session.state());
+    takeStatus(parts_.session.status());
+}
+
+void ScanControl::act(const Result<void>& result)
+{
+    if (!result)
+        parts_.say(QString::fromStdString(result.error().message));
+}
+
+void ScanControl::connectActions()
+{
+    WindowActions& actions = parts_.window->actions();
+    ScanSession& session = parts_.session;
+    const auto on = [&](const char* name, auto&& call) {
+        connect(actions[QLatin1String(name)], &QAction::triggered, this, call);
+    };
+    on("actStart", [this, &session] { act(session.start()); });
+    on("actPause", [this, &session] { act(session.pauseOrContinue()); });
+    on("actStep", [this, &session] { act(session.step()); });
+    on("actFinish", [this, &session] { act(session.finish()); });
+    on("actStopMotion", [this, &session] { act(session.stopMotion()); });
+    on("actRerun", [this, &session] { act(session.rerun()); });
+    on("actNewSimulated", [this] {
+        open(QString::fromStdString(addressOf(parts_.sourcePanel->simulation())), true);
+    });
+    QAction* record = actions[QStringLiteral("actRecord")];
+    record->setChecked(parts_.settings.value(QStringLiteral("scan/record"), false).toBool());
+    const auto applyRecord = [this](bool on) {
+        QString folder = QString::fromStdString(parts_.preferences.recordFolder);
+        if (folder.isEmpty())
+            folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Planewright";
+        if (on)
+            QDir().mkpath(folder);
+        parts_.session.setRecordFolder(on ? folder.toStdString() : std::string());
+        parts_.settings.setValue(QStringLiteral("scan/record"), on);
+    };
+    connect(record, &QAction::toggled, this, applyRecord);
+    connect(&parts_, &WindowParts::preferencesChanged, this, [record, applyRecord] { applyRecord(record->isChecked()); });
+    applyRecord(record->isChecked());
+
+    connect(parts_.sourcePanel, &SourcePanel::simulationRequested, this, [this](const SimulationSetup& setup) {
+        open(QString::fromStdString(addressOf(setup)), true);
+    });
+    connect(parts_.sourcePanel, &SourcePanel::openRequested, this, [this](const QString& address) { open(address); });
+    connect(parts_.window.get(), &MainWindow::openRequested, this,
+            [this](const QString& address) { open(address, true); });
+    connect(&parts_.window->welcome(), &WelcomePage::sampleRequested, this,
+            [this] { open(QStringLiteral("sim:corridor?seed=7"), true); });
+    connect(parts_.parametersPanel, &ParametersPanel::parametersChanged, this,
+            [this](const Parameters& parameters) { act(parts_.session.setParameters(parameters)); });
+}
+
+void ScanControl::connectSession()
+{
+    ScanSession& session = parts_.session;
+    connect(&session, &ScanSession::stateChanged, this, &ScanControl::takeState);
+    connect(&session, &ScanSession::statusChanged, this, &ScanControl::takeStatus);
+    connect(&session, &ScanSession::mapChanged, this, [this] { parts_.showMap(); });
+    connect(&parts_, &WindowParts::mapShown, this, &ScanControl::refreshOverlay);
+    connect(&session, &ScanSession::parametersChanged, this, [this] {
+        const QSignalBlocker quiet(parts_.parametersPanel);
+        parts_.parameters.setParameters(parts_.session.parameters());
+        parts_.planesPanel->setParameters(parts_.session.parameters());
+    });
+    connect(&session, &ScanSession::logLine, this, [this](LogLevel level, const QString& source, const QString& text) {
+        parts_.log(level == LogLevel::Error     ? LogSeverity::Error
+                   : level == LogLevel::Warning ? LogSeverity::Warning
+                                                : LogSeverity::Info,
+                   source, text);
+    });
+    connect(&session, &ScanSession::faulted, this, [this](const Error& error) {
+        const QString text = QString::fromStdString(error.message);
+        parts_.log(LogSeverity::Error, tr("session"), text);
+        std::vector<Banner::Choice> choices;
+        if (parts_.session.state() == SessionState::Fault)
+            choices = {{tr("Retry now"), [this] { act(parts_.session.retry()); }},
+                       {tr("Finish with what we have"), [this] { act(parts_.session.finish()); }}};
+        parts_.window->banner().showMessage(Banner::Kind::Problem, text, choices);
+    });
+}
+
+void ScanControl::open(const QString& fileOrAddress, bool starts)
+{
+    startsWhenReady_ = starts && fileOrAddress.startsWith(QLatin1String("sim:"));
+    const auto opened = parts_.session.open(fileOrAddress.toStdString());
+    if (!opened) {
+        parts_.problem(tr("open"), opened.error());
+        return;
+    }
+    parts_.window->banner().hide();
+    parts_.window->showWelcome(false);
+    if (QFileInfo(fileOrAddress).isFile())
+        addRecent(QFileInfo(fileOrAddress).absoluteFilePath());
+}
+
+void ScanControl::addRecent(const QString& file)
+{
+    QStringList recent = parts_.settings.value(QStringLiteral("recent")).toStringList();
+    recent.removeAll(file);
+    recent.prepend(file);
+    parts_.settings.setValue(QStringLiteral("recent"), QStringList(recent.mid(0, kMostRecent)));
+    showRecent();
+}
+
+void ScanControl::showRecent()
+{
+    const QStringList recent = parts_.settings.value(QStringLiteral("recent")).toStringList();
+    parts_.window->welcome().setRecent(recent);
+    parts_.sourcePanel->setRecentFiles(recent);
+    QMenu* menu = parts_.window->actions().submenu(QStringLiteral("recent"));
+    menu->clear();
+    for (const QString& file : recent)
+        connect(menu->addAction(QDir::toNativeSeparators(file)), &QAction::triggered, this, [this, file] { open(file); });
+    menu->setEnabled(!recent.isEmpty());
+}
+
+void ScanControl::takeState(SessionState state)
+{
+    if (state == SessionState::Empty)
+        parts_.window->showWelcome(true);
+    // Edits belong to the file that is open; a scan that is taken anew begins without any.
+    const std::string here = parts_.session.address() + "#" + std::to_string(parts_.session.scanInProject());
+    const bool begins = state == SessionState::Scanning && parts_.session.map()->step <= 0;
+    if (state != SessionState::Connecting && (here != editsOf_ || begins)) {
+        editsOf_ = here;
+        parts_.edits.begin(parts_.session.project(), parts_.session.scanInProject(), parts_.session.storedEdits());
+        parts_.showMap();
+    }
+    parts_.window->setSource(QString::fromStdString(parts_.session.status().source));
+    if (state == SessionState::Ready && startsWhenReady_) {
+        startsWhenReady_ = false;
+        act(parts_.session.start());
+        return;
+    }
+    refreshActions();
+    refreshOverlay();
+}
+
+void ScanControl::refreshActions()
+{
+    struct Row {
+        const char* action;
+        SessionRequest request;
+    };
+    constexpr Row kRows[]{{"actStart", SessionRequest::Start},
+                          {"actStep", SessionRequest::Step},
+                          {"actFinish", SessionRequest::Finish},
+                          {"actRerun", SessionRequest::Rerun}};
+    WindowActions& actions = parts_.window->actions();
+    for (const Row& row : kRows)
+        actions[QLatin1String(row.action)]->setEnabled(parts_.session.refusal(row.request).isEmpty());
+    const bool pauses = parts_.session.refusal(SessionRequest::Pause).isEmpty();
+    const bool continues = parts_.session.refusal(SessionRequest::Continue).isEmpty();
+    QAction* pause = actions[QStringLiteral("actPause")];
+    pause->setEnabled(pauses || continues);
+    pause->setIconText(continues ? tr("▶ Continue") : tr("❚❚ Pause"));
+}
+
+void ScanControl::refreshOverlay()
+{
+    const SessionState state = parts_.session.state();
+    const SessionStatus status = parts_.session.status();
+    const ShownMap& map = *parts_.shown;
+    const auto& chip = kChips[static_cast<std::size_t>(state)];
+    OverlayContent content;
+    content.stateColour = QColor(QLatin1String(chip.colour));
+    content.stateText = tr(chip.text);
+    const int planned = map.plannedSteps;
+    const auto steps = [&] { return QStringLiteral(" %1/%2").arg(map.step + 1).arg(planned); };
+    if (state == SessionState::Scanning || state == SessionState::Replaying || state == SessionState::Paused)
+        content.stateText += steps();
+    if (state == SessionState::Review && map.snapshot) {
+        const bool whole = planned > 0 && map.step + 1 >= planned;
+        content.stateText = (whole ? tr("✔ Complete") : tr("◐ Partial")) + steps() +
+                            tr(", %n plane(s)", nullptr, static_cast<int>(map.planes.size()));
+        if (!whole)
+            content.stateColour = QColor(QStringLiteral("#8a5a00"));
+    }
+    if (map.snapshot) {
+        std::size_t points = 0;
+        for (const auto& slice : map.slices)
+            points += slice->ranges.size();
+        const QLocale c = QLocale::c();
+        content.facts = {tr("points %1").arg(c.toString(static_cast<qulonglong>(points))),
+                         tr("segments %1").arg(c.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
+                         tr("planes %1").arg(map.planes.size())};
+    }
+    if (state == SessionState::Ready && !map.snapshot)
+        content.hint = tr("Press F5 to scan %1 steps, about %2 s.")
+                           .arg(status.plannedSteps)
+                           .arg(status.plannedSteps * 0.025, 0, 'f', 1);
+    parts_.window->view().setOverlay(content);
+}
+
+void ScanControl::takeStatus(const SessionStatus& status)
+{
+    MainWindow& window = *parts_.window;
+    window.setStatus(QStringLiteral("stDevice"),
+                     status.source.empty() ? tr("no source")
+                                           : tr("● %1  %2/s").arg(QString::fromStdString(status.source)).arg(status.slicesPerSecond, 0, 'f', 1),
+                     tr("Source and its slices per second"));
+    window.setStatus(QStringLiteral("stLoss"), tr("lost %1").arg(status.lost), tr("Steps that were passed over"),
+                     status.lost > 0);
+    window.setStatus(QStringLiteral("stQueue"), tr("queue %1").arg(status.queueDepth),
+                     tr("Slices that wait to be recorded or extracted"), status.queueDepth >= kQueueWarns);
+    const double milliseconds = static_cast<double>(status.stepTime.count()) / 1e6;
+    window.setStatus(QStringLiteral("stStep"), tr("step %1 ms of 25").arg(milliseconds, 0, 'f', 2),
+                     tr("Time of the last step, and what there is between two slices"), milliseconds > 25.0);
+    QString recording = status.recording.empty() ? tr("not recorded") : tr("rec %1").arg(bytes(status.recordedBytes));
+    if (!status.recording.empty() && status.freeBytes)
+        recording += tr(", %1 free").arg(bytes(*status.freeBytes));
+    if (status.notOnDisk > 0)
+        recording += tr(", %n slice(s) not on disk", nullptr, static_cast<int>(status.notOnDisk));
+    window.setStatus(QStringLiteral("stRec"), recording, QString::fromStdString(status.recording),
+                     status.notOnDisk > 0);
+    refreshActions();
+}
+
+}  // namespace planewright

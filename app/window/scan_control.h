@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <QObject>
+
+#include "app/window/window_parts.h"
+
+namespace planewright {
+
+/// Runs the session from the window: actions of the scan, state chip, status bar, banners.
+class ScanControl : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ScanControl(WindowParts& parts);
+
+    /// Opens a file or an address. With `starts` a simulated scan begins as soon as it is ready.
+    void open(const QString& fileOrAddress, bool starts = false);
+
+private:
+    void connectActions();
+    void connectSession();
+    void act(const Result<void>& result);
+    void takeState(SessionState state);
+    void takeStatus(const SessionStatus& status);
+    void refreshActions();
+    void refreshOverlay();
+    void addRecent(const QString& file);
+    void showRecent();
+
+    WindowParts& parts_;
+    bool startsWhenReady_ = false;
+    std::string editsOf_;
+};
+
+}  // namespace planewright

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+#include <QSettings>
+
+#include "app/session/scan_session.h"
+#include "app/window/edit_history.h"
+#include "app/window/map_worker.h"
+#include "ui/common/layer_settings.h"
+#include "ui/common/preferences.h"
+#include "ui/main_window.h"
+#include "ui/models/log_model.h"
+#include "ui/models/map_selection.h"
+#include "ui/models/measurements_model.h"
+#include "ui/models/parameter_model.h"
+#include "ui/models/planes_model.h"
+#include "ui/models/segments_model.h"
+#include "ui/panels/layers_panel.h"
+#include "ui/panels/log_panel.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/panels/parameters_panel.h"
+#include "ui/panels/planes_panel.h"
+#include "ui/panels/segments_panel.h"
+#include "ui/panels/source_panel.h"
+
+namespace planewright {
+
+/// The window program's parts, which its controllers connect. Widgets belong to the window.
+class WindowParts : public QObject {
+    Q_OBJECT
+
+public:
+    WindowParts(SessionOptions options, const QString& settingsFile);
+    ~WindowParts() override;
+
+    /// A line of the log; a problem is also shown as a banner.
+    void log(LogSeverity severity, const QString& source, const QString& text);
+    void problem(const QString& source, const Error& error);
+    /// A sentence in the status bar.
+    void say(const QString& text);
+
+    /// Asks for the session's map with the edits in force.
+    void showMap();
+
+    QSettings settings;
+    Preferences preferences;
+    LayerSettings layers;
+
+    MapSelection selection;
+    PlanesModel planes;
+    SegmentsModel segments;
+    MeasurementsModel measurements;
+    LogModel logModel;
+    ParameterModel parameters;
+
+    ScanSession session;
+    EditHistory edits;
+    MapWorker worker;
+    /// What the window shows; never null.
+    std::shared_ptr<const ShownMap> shown = std::make_shared<ShownMap>();
+
+    std::unique_ptr<MainWindow> window;
+    PlanesPanel* planesPanel;
+    SegmentsPanel* segmentsPanel;
+    MeasurePanel* measurePanel;
+    LogPanel* logPanel;
+    ParametersPanel* parametersPanel;
+    LayersPanel* layersPanel;
+    SourcePanel* sourcePanel;
+
+signals:
+    /// `shown` is another map.
+    void mapShown();
+    void layersChanged();
+    void preferencesChanged();
+
+private:
+    void makePanels();
+    void take(const std::shared_ptr<const ShownMap>& map);
+
+    QStringList editProblems_;
+};
+
+}  // namespace planewright

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/view3d/view3d.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "tests/ui/scene/shown_room.h"
+
+namespace planewright {
+
+/// Whoever sits before the 3D view: pointer and keys.
+class View3dTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void aDragRotates();
+    void theMiddleButtonShifts();
+    void theWheelComesNearer();
+    void aClickSelectsThePlaneUnderThePointer();
+    void aDragIsNoClick();
+    void controlClickAdds();
+    void aDoubleClickCentres();
+    void measuringGivesThePointUnderThePointer();
+    void walkModeTakesItsKeys();
+    void aNewScanIsFittedUntilSomeoneMovesTheCamera();
+    void hoveringNamesThePlane();
+    void namedViewsLookWhereTheySay();
+
+private:
+    std::shared_ptr<const ShownMap> corridor_;
+    std::unique_ptr<View3d> view_;
+};
+
+namespace {
+
+const QPoint kMiddle{400, 300};
+
+}  // namespace
+
+void View3dTest::initTestCase()
+{
+    corridor_ = shownRoom("corridor");
+}
+
+void View3dTest::init()
+{
+    view_ = std::make_unique<View3d>();
+    PresenterSettings settings;
+    settings.image = qEnvironmentVariable("QT_QPA_PLATFORM") == QLatin1String("offscreen");
+    const auto presented = view_->present(settings);
+    QVERIFY2(presented, presented ? "" : presented.error().message.c_str());
+    view_->resize(800, 600);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    view_->setMap(corridor_);
+}
+
+void View3dTest::cleanup()
+{
+    view_.reset();
+}
+
+void View3dTest::aDragRotates()
+{
+    const ViewCamera before = view_->camera();
+
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, kMiddle);
+    QTest::mouseMove(view_.get(), kMiddle + QPoint(60, 0));
+    QTest::mouseMove(view_.get(), kMiddle + QPoint(120, 30));
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, kMiddle + QPoint(120, 30));
+
+    // 120 of 600 pixels are a fifth of half a turn.
+    QVERIFY(std::abs(std::remainder(before.heading - view_->camera().heading - degrees(36.0), 6.283185307)) < 1e-6);
+    QVERIFY(std::abs(view_->camera().elevation - before.elevation - degrees(9.0)) < 1e-6);
+}
+
+void View3dTest::theMiddleButtonShifts()
+{
+    const ViewCamera before = view_->camera();
+
+    QTest::mousePress(view_.get(), Qt::MiddleButton, {}, kMiddle);
+    QTest::mouseMove(view_.get(), kMiddle + QPoint(60, 0));
+    QTest::mouseRelease(view_.get(), Qt::MiddleButton, {}, kMiddle + QPoint(60, 0));
+
+    const Eigen::Vector3d seen = projected(view_->camera(), before.target);
+    QVERIFY(std::abs(seen.x() - 0.1) < 1e-6 && std::abs(seen.y()) < 1e-6);
+    QCOMPARE(view_->camera().heading, before.heading);
+}
+
+void View3dTest::theWheelComesNearer()
+{
+    const double before = view_->camera().distance;
+    QWheelEvent notch(kMiddle, view_->mapToGlobal(kMiddle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+
+    QCoreApplication::sendEvent(view_.get(), &notch);
+
+    QVERIFY(std::abs(view_->camera().distance - before / 1.2) < 1e-9);
+}
+
+void View3dTest::aClickSelectsThePlaneUnderThePointer()
+{
+    view_->showNamed(NamedView::Top);
+    QSignalSpy clicked(view_.get(), &View3d::clicked);
+
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, kMiddle);
+
+    QCOMPARE(clicked.count(), 1);
+    const auto picked = clicked.front().front().value<std::optional<Picked>>();
+    QVERIFY(picked && picked->plane != kNoPlane);
+    // From above the ceiling comes first: a level plane over the scanner.
+    const auto& planes = view_->scene().map().planes;
+    const auto plane =
+        std::find_if(planes.begin(), planes.end(), [&](const ShownPlane& p) { return p.plane->id == picked->plane; });
+    QVERIFY(plane != planes.end());
+    QVERIFY(std::abs(plane->plane->normal.z()) > 0.99 && picked->place.z() > 0.0);
+}
+
+void View3dTest::aDragIsNoClick()
+{
+    QSignalSpy clicked(view_.get(), &View3d::clicked);
+
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, kMiddle);
+    QTest::mouseMove(view_.get(), kMiddle + QPoint(40, 0));
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, kMiddle + QPoint(40, 0));
+
+    QCOMPARE(clicked.count(), 0);
+}
+
+void View3dTest::controlClickAdds()
+{
+    QSignalSpy clicked(view_.get(), &View3d::clicked);
+
+    QTest::mouseClick(view_.get(), Qt::LeftButton, Qt::ControlModifier, kMiddle);
+
+    QCOMPARE(clicked.count(), 1);
+    QVERIFY(clicked.front().at(1).toBool());
+}
+
+void View3dTest::aDoubleClickCentres()
+{
+    view_->showNamed(NamedView::Top);
+    const auto there = rayThrough(view_->camera(), 0.0, 0.05);
+    const auto picked = pick(view_->scene(), there, 1e-3);
+    QVERIFY(picked);
+
+    QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, kMiddle + QPoint(0, -30));
+
+    QVERIFY((view_->camera().target - picked->place).norm() < 0.05);
+}
+
+void View3dTest::measuringGivesThePointUnderThePointer()
+{
+    view_->showNamed(NamedView::Top);
+    view_->setMeasuring(true);
+    QSignalSpy points(view_.get(), &View3d::pointPicked);
+    QSignalSpy clicked(view_.get(), &View3d::clicked);
+
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, kMiddle);
+
+    QCOMPARE(points.count(), 1);
+    QCOMPARE(clicked.count(), 0);
+}
+
+void View3dTest::walkModeTakesItsKeys()
+{
+    const ViewCamera before = view_->camera();
+    QTest::keyPress(view_.get(), Qt::Key_W);
+    QTest::qWait(100);
+    QTest::keyRelease(view_.get(), Qt::Key_W);
+    QVERIFY(view_->camera() == before);
+
+    view_->setWalkMode(true);
+    QTest::keyPress(view_.get(), Qt::Key_W);
+    QTRY_VERIFY(!(view_->camera() == before));
+    QTest::keyRelease(view_.get(), Qt::Key_W);
+
+    QCOMPARE(view_->camera().target.z(), before.target.z());
+}
+
+void View3dTest::aNewScanIsFittedUntilSomeoneMovesTheCamera()
+{
+    const ViewCamera fittedToCorridor = view_->camera();
+    view_->setMap(shownRoom("office"));
+    QVERIFY(!(view_->camera() == fittedToCorridor));
+
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, kMiddle);
+    QTest::mouseMove(view_.get(), kMiddle + QPoint(50, 0));
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, kMiddle + QPoint(50, 0));
+    const ViewCamera moved = view_->camera();
+    view_->setMap(corridor_);
+
+    QVERIFY(view_->camera() == moved);
+}
+
+void View3dTest::hoveringNamesThePlane()
+{
+    view_->showNamed(NamedView::Top);
+    QSignalSpy hovered(view_.get(), &View3d::hovered);
+
+    QTest::mouseMove(view_.get(), kMiddle + QPoint(1, 1));
+
+    QTRY_COMPARE(hovered.count(), 1);
+    QVERIFY(hovered.front().front().value<PlaneId>() != kNoPlane);
+}
+
+void View3dTest::namedViewsLookWhereTheySay()
+{
+    view_->showNamed(NamedView::Side);
+    QVERIFY(view_->camera().forward().isApprox(-Eigen::Vector3d::UnitX(), 1e-9));
+
+    view_->showNamed(NamedView::Front);
+    QVERIFY(view_->camera().forward().isApprox(Eigen::Vector3d::UnitY(), 1e-9));
+
+    view_->showNamed(NamedView::Sensor);
+    QVERIFY(view_->camera().eye().norm() < 0.5);
+}
+
+}  // namespace planewright
+
+QTEST_MAIN(planewright::View3dTest)
+#include "view3d_test.moc"

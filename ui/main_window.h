@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+
+#include <QDockWidget>
+#include <QHash>
+#include <QLabel>
+#include <QMainWindow>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTabWidget>
+
+#include "ui/banner.h"
+#include "ui/view3d/view3d.h"
+#include "ui/welcome_page.h"
+#include "ui/window_actions.h"
+
+namespace planewright {
+
+/// The window: arranges view, panels, actions and status; what they do is connected from outside.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+
+    View3d& view() { return *view_; }
+    WindowActions& actions() { return *actions_; }
+    Banner& banner() { return *banner_; }
+    WelcomePage& welcome() { return *welcome_; }
+
+    /// Puts panels where they belong: "dockSetup", "dockPlanes".
+    void setPanel(const QString& dock, QWidget* panel);
+    /// A tab of the dock at the bottom, by its objectName.
+    void addBottomPanel(QWidget* panel, const QString& title);
+    void showBottomPanel(const QString& name);
+
+    void showWelcome(bool shown);
+    bool showsWelcome() const;
+
+    /// Text and tool tip of a status item: "stDevice", "stLoss", "stQueue", "stStep", "stRec", "stCoord", "stMessage".
+    void setStatus(const QString& item, const QString& text, const QString& tip = {}, bool warns = false);
+
+    void setSource(const QString& source);
+
+    // Layouts.
+    void operate();
+    void present(bool on);
+    void resetLayout();
+    /// Docks and sizes of the last time; a layout of another version, or one off the screen, is left alone.
+    void restoreLayout(QSettings& settings);
+    void saveLayout(QSettings& settings) const;
+
+    /// Asked before the window closes; it always may, but something may have to stop first.
+    std::function<void()> beforeClose;
+
+signals:
+    void openRequested(const QString& fileOrAddress);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    QDockWidget* addDock(const QString& name, const QString& title, Qt::DockWidgetArea area);
+    void makeToolBar();
+    void makeStatusBar();
+    void makeViewButtons();
+    void makeSubmenus();
+
+    View3d* view_;
+    WindowActions* actions_;
+    Banner* banner_;
+    WelcomePage* welcome_;
+    QStackedWidget* pages_;
+    QHash<QString, QDockWidget*> docks_;
+    QTabWidget* bottom_;
+    QHash<QString, QLabel*> status_;
+    QLabel* source_;
+    QByteArray plainLayout_;
+};
+
+}  // namespace planewright

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <QString>
+
+#include "ui/common/length_style.h"
+
+namespace planewright {
+
+/// A number for the eye with so many digits behind the point, by no locale: never "-0", and "–" for one that is no
+/// number.
+QString numberText(double value, int decimals);
+
+/// A length given in metres, in the unit of the style and without its name.
+QString lengthText(double metres, const LengthStyle& style);
+
+/// "m" or "mm".
+QString lengthUnit(const LengthStyle& style);
+
+/// An angle given in radians, in degrees with one digit and without the sign.
+QString angleText(double radians);
+
+}  // namespace planewright

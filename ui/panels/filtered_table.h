@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <QTableView>
+#include <QWidget>
+
+#include "ui/models/filter_proxy_model.h"
+
+class QAction;
+class QLabel;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace planewright {
+
+class FilterBox;
+
+/// What a table is called and begins with.
+struct TableTexts {
+    QString objectName;      ///< of the view
+    QString accessibleName;  ///< of the view
+    QString filterName;      ///< accessible name of the filter
+    QString filterPlaceholder;
+    QString emptyText;  ///< while the model has no row; may have links
+};
+
+/// A table with a filter above and a line of text below: sorts by its headings, whose menu chooses columns, copies rows
+/// as tab-separated text, and says why nothing is to be seen.
+class FilteredTable : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Columns not listed are hidden at first. Model and keys must live as long as this.
+    FilteredTable(QAbstractItemModel* model, std::span<const FilterKey> keys, const TableTexts& texts,
+                  const std::vector<int>& defaultColumns, QWidget* parent = nullptr);
+
+    QTableView* view() const { return view_; }
+    FilterProxyModel* rows() const { return rows_; }
+    FilterBox* filter() const { return filter_; }
+    /// "Copy rows", `actCopyRows`, Ctrl+C while the table has the keyboard.
+    QAction* copyAction() const { return copyAction_; }
+    /// Above the table, for what a panel adds.
+    QVBoxLayout* top() const { return top_; }
+
+    void setEmptyText(const QString& text);
+    void setFooter(const QString& text);
+    QString footer() const;
+    /// The text that stands in the table's place, or nothing.
+    QString shownInstead() const;
+
+    /// A query that always holds beside the one typed.
+    void setRequirement(const QString& query);
+
+    /// Rows of the model that are chosen, from the top.
+    std::vector<int> chosenRows() const;
+    void choose(const std::vector<int>& modelRows);
+
+    /// The chosen rows, or all rows if none is, as tab-separated text with the headings of the visible columns.
+    QString rowsAsText() const;
+
+    void setColumnShown(int column, bool shown);
+    bool isColumnShown(int column) const { return !view_->isColumnHidden(column); }
+    /// Which columns are shown, their order, widths and sorting.
+    QByteArray saveColumns() const;
+    bool restoreColumns(const QByteArray& state);
+
+signals:
+    void chosenChanged();
+    /// A link of the empty text other than "clear".
+    void linkActivated(const QString& link);
+    /// Rows that are seen have changed.
+    void rowsChanged();
+
+private:
+    void showColumnMenu(const QPoint& place);
+    void showWhatFits();
+
+    QVBoxLayout* top_;
+    FilterProxyModel* rows_;
+    FilterBox* filter_;
+    QStackedWidget* stack_;
+    QTableView* view_;
+    QLabel* instead_;
+    QLabel* footer_;
+    QAction* copyAction_;
+    QString emptyText_;
+    QString requirement_;
+    std::vector<int> defaultColumns_;
+};
+
+}  // namespace planewright

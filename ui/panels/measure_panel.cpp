@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/panels/measure_panel.h"
+
+#include <array>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/panels/filtered_table.h"
+
+namespace planewright {
+
+namespace {
+
+using Kind = FilterKey::Kind;
+constexpr std::array<FilterKey, 3> kKeys{{
+    {"distance", Kind::Number, static_cast<int>(MeasurementColumn::Distance)},
+    {"angle", Kind::Number, static_cast<int>(MeasurementColumn::Angle)},
+    {"step", Kind::Number, static_cast<int>(MeasurementColumn::Step)},
+}};
+
+QToolButton* buttonFor(QAction* action, QWidget* parent)
+{
+    auto* button = new QToolButton(parent);
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setObjectName(action->objectName() + QStringLiteral("Button"));
+    button->setAccessibleName(action->text());
+    return button;
+}
+
+}  // namespace
+
+MeasurePanel::MeasurePanel(MeasurementsModel& model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      table_(new FilteredTable(&model, kKeys,
+                               {.objectName = QStringLiteral("measurementsTable"),
+                                .accessibleName = tr("Measurements"),
+                                .filterName = tr("Filter measurements"),
+                                .filterPlaceholder = tr("Filter: distance>1 P03"),
+                                .emptyText = tr("Press D and click two points.")},
+                               {0, 1, 2, 3, 4, 5, 6}, this)),
+      remove_(new QAction(tr("Remove"), this))
+{
+    setObjectName(QStringLiteral("measurePanel"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(table_);
+    setFocusProxy(table_->view());
+    remove_->setObjectName(QStringLiteral("actRemoveMeasurement"));
+    remove_->setShortcut(QKeySequence::Delete);
+    remove_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    remove_->setEnabled(false);
+    table_->view()->addAction(remove_);
+    table_->view()->setContextMenuPolicy(Qt::ActionsContextMenu);
+    table_->view()->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->view()->sortByColumn(-1, Qt::AscendingOrder);  // as they were taken
+    table_->view()->setColumnWidth(0,
+                                   table_->fontMetrics().horizontalAdvance(QStringLiteral("Angle of three points  ")));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(buttonFor(remove_, this));
+    buttons->addWidget(buttonFor(table_->copyAction(), this));
+    buttons->addStretch();
+    table_->top()->addLayout(buttons);
+
+    const auto enable = [this] {
+        remove_->setEnabled(!table_->chosenRows().empty());
+        table_->copyAction()->setEnabled(table_->rows()->rowCount() > 0);
+    };
+    connect(remove_, &QAction::triggered, this, &MeasurePanel::removeChosen);
+    connect(table_, &FilteredTable::chosenChanged, this, enable);
+    connect(table_, &FilteredTable::rowsChanged, this, enable);
+    enable();
+}
+
+void MeasurePanel::removeChosen()
+{
+    const std::vector<int> rows = table_->chosenRows();
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+        model_.remove(*row);
+}
+
+}  // namespace planewright

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/panels/planes_panel.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QMenu>
+#include <QVBoxLayout>
+
+#include "ui/models/number_text.h"
+#include "ui/panels/filter_box.h"
+#include "ui/panels/filtered_table.h"
+#include "ui/panels/plane_delegates.h"
+
+namespace planewright {
+
+namespace {
+
+constexpr int column(PlaneColumn column)
+{
+    return static_cast<int>(column);
+}
+
+const std::vector<int> kDefaultColumns{column(PlaneColumn::Colour), column(PlaneColumn::Id),
+                                       column(PlaneColumn::Class),  column(PlaneColumn::Distance),
+                                       column(PlaneColumn::Area),   column(PlaneColumn::SegmentCount),
+                                       column(PlaneColumn::Error),  column(PlaneColumn::State)};
+constexpr std::string_view kMinSegmentsKey = "planes.min-cluster-segments";
+
+struct Totals {
+    int planes = 0;
+    int segments = 0;
+    double area = 0.0;     // [m²]
+    bool complete = true;  // all areas are known
+};
+
+QString totalsText(const Totals& totals)
+{
+    return QStringLiteral("%1 %2, %3%4 m², %5 segments")
+        .arg(totals.planes)
+        .arg(totals.planes == 1 ? QStringLiteral("plane") : QStringLiteral("planes"))
+        .arg(totals.complete ? QString{} : QStringLiteral("more than "), numberText(totals.area, 2))
+        .arg(totals.segments);
+}
+
+}  // namespace
+
+PlanesPanel::PlanesPanel(PlanesModel& model, MapSelection& selection, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      selection_(selection),
+      table_(new FilteredTable(&model, planeFilterKeys(),
+                               {.objectName = QStringLiteral("planesTable"),
+                                .accessibleName = tr("Planes"),
+                                .filterName = tr("Filter planes"),
+                                .filterPlaceholder = tr("Filter: class:wall area>2 E<1"),
+                                .emptyText = {}},
+                               kDefaultColumns, this))
+{
+    setObjectName(QStringLiteral("planesPanel"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(table_);
+    setFocusProxy(table_->view());
+
+    QTableView* view = table_->view();
+    view->setItemDelegateForColumn(column(PlaneColumn::Error), new LimitBarDelegate(view));
+    view->setItemDelegateForColumn(column(PlaneColumn::Class), new ClassDelegate(view));
+    view->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    view->setContextMenuPolicy(Qt::CustomContextMenu);
+    view->sortByColumn(column(PlaneColumn::Id), Qt::AscendingOrder);
+    constexpr int kPadding = 16;  // [px]
+    for (int i = 0; i < kPlaneColumns; ++i)
+        view->setColumnWidth(i, view->horizontalHeader()->sectionSizeHint(i));
+    const QFontMetrics metrics = view->fontMetrics();
+    view->setColumnWidth(column(PlaneColumn::Colour), 52);
+    view->setColumnWidth(column(PlaneColumn::Class), metrics.horizontalAdvance(QStringLiteral("ceiling")) + kPadding);
+    view->setColumnWidth(column(PlaneColumn::Name), metrics.horizontalAdvance(QStringLiteral("Left wall, rear")));
+    view->setColumnWidth(column(PlaneColumn::State), metrics.horizontalAdvance(QStringLiteral("merged")) + kPadding);
+    view->setColumnWidth(column(PlaneColumn::MadeOf),
+                         metrics.horizontalAdvance(QStringLiteral("P03←P07+P11")) + kPadding);
+    view->setColumnWidth(column(PlaneColumn::Size),
+                         metrics.horizontalAdvance(QStringLiteral("12.34 × 12.34")) + kPadding);
+
+    connect(table_, &FilteredTable::chosenChanged, this, &PlanesPanel::giveSelection);
+    connect(table_, &FilteredTable::rowsChanged, this, &PlanesPanel::sayWhyEmpty);
+    connect(table_, &FilteredTable::rowsChanged, this, &PlanesPanel::sumUp);
+    connect(&selection_, &MapSelection::changed, this, &PlanesPanel::takeSelection);
+    connect(table_, &FilteredTable::linkActivated, this, [this](const QString& link) {
+        if (link == QStringLiteral("unfitted"))
+            emit showUnfittedRequested();
+        else
+            emit parameterRequested(link);
+    });
+    connect(view, &QWidget::customContextMenuRequested, this, &PlanesPanel::showMenu);
+    connect(view, &QAbstractItemView::entered, this, [this](const QModelIndex& index) {
+        selection_.hover(model_.planeAt(table_->rows()->mapToSource(index).row()));
+    });
+    connect(view, &QAbstractItemView::activated, this, [this](const QModelIndex& index) {
+        emit zoomRequested(model_.planeAt(table_->rows()->mapToSource(index).row()));
+    });
+    sayWhyEmpty();
+    sumUp();
+}
+
+void PlanesPanel::setParameters(const Parameters& parameters)
+{
+    parameters_ = parameters;
+    model_.setErrorLimit(parameters.planes.errorLimit);
+    sayWhyEmpty();
+}
+
+void PlanesPanel::beginRename()
+{
+    QTableView* view = table_->view();
+    const QModelIndex current = view->currentIndex();
+    if (!current.isValid())
+        return;
+    table_->setColumnShown(column(PlaneColumn::Name), true);
+    const QModelIndex name = current.siblingAtColumn(column(PlaneColumn::Name));
+    view->setCurrentIndex(name);
+    view->scrollTo(name);
+    view->edit(name);
+}
+
+void PlanesPanel::focusFilter()
+{
+    table_->filter()->edit()->setFocus(Qt::ShortcutFocusReason);
+    table_->filter()->edit()->selectAll();
+}
+
+void PlanesPanel::takeSelection()
+{
+    std::vector<int> rows;
+    for (const PlaneId plane : selection_.planes()) {
+        if (const auto row = model_.rowOf(plane))
+            rows.push_back(*row);
+    }
+    if (rows != table_->chosenRows()) {
+        taking_ = true;
+        table_->choose(rows);
+        taking_ = false;
+    }
+    sumUp();
+}
+
+void PlanesPanel::giveSelection()
+{
+    if (taking_)
+        return;
+    // Planes that the filter keeps out of the table stay chosen only until something is chosen here.
+    std::set<PlaneId> planes;
+    for (const int row : table_->chosenRows())
+        planes.insert(model_.planeAt(row));
+    selection_.selectPlanes(std::move(planes));
+}
+
+void PlanesPanel::sayWhyEmpty()
+{
+    if (model_.rowCount() > 0)
+        return;
+    const auto& map = model_.map();
+    QString text = tr("No planes yet. The first fit happens at step %1.").arg(parameters_.schedule.fitEvery);
+    if (map && map->finished) {
+        const int unfitted = map->snapshot ? map->snapshot->report.counts.unfitted : 0;
+        text = tr("No plane had N<sub>c</sub> = %1 segments. %2 segments are unfitted.<br><br>"
+                  "<a href=\"unfitted\">Show unfitted</a> &nbsp; <a href=\"%3\">Lower N<sub>c</sub>…</a>")
+                   .arg(parameters_.planes.minClusterSegments)
+                   .arg(unfitted)
+                   .arg(QLatin1String(kMinSegmentsKey.data(), static_cast<qsizetype>(kMinSegmentsKey.size())));
+    }
+    if (text != table_->shownInstead())
+        table_->setEmptyText(text);
+}
+
+void PlanesPanel::sumUp()
+{
+    const auto sum = [this](const std::vector<int>& rows) {
+        Totals totals;
+        for (const int row : rows) {
+            const auto area = model_.areaAt(row);
+            ++totals.planes;
+            totals.area += area.value_or(0.0);
+            totals.complete = totals.complete && area.has_value();
+            totals.segments += model_.index(row, column(PlaneColumn::SegmentCount)).data(kSortRole).toInt();
+        }
+        return totals;
+    };
+    std::vector<int> seen;
+    for (int row = 0; row < table_->rows()->rowCount(); ++row)
+        seen.push_back(table_->rows()->mapToSource(table_->rows()->index(row, 0)).row());
+    if (seen.empty()) {
+        table_->setFooter({});
+        return;
+    }
+    const std::vector<int> chosen = table_->chosenRows();
+    QString text = totalsText(sum(seen));
+    if (!chosen.empty())
+        text += tr("\nSelected: %1").arg(totalsText(sum(chosen)));
+    table_->setFooter(text);
+}
+
+void PlanesPanel::showMenu(const QPoint& place)
+{
+    QMenu menu(this);
+    for (QAction* action : contextActions_) {
+        if (action != nullptr)
+            menu.addAction(action);
+        else
+            menu.addSeparator();
+    }
+    if (!menu.isEmpty())
+        menu.addSeparator();
+    menu.addAction(table_->copyAction());
+    menu.exec(table_->view()->viewport()->mapToGlobal(place));
+}
+
+}  // namespace planewright

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/panels/source_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "ui/panels/plain_fields.h"
+#include "ui/panels/problem_label.h"
+#include "ui/panels/recording_form.h"
+#include "ui/panels/simulator_form.h"
+
+namespace planewright {
+
+SourcePanel::SourcePanel(QWidget* parent)
+    : QWidget(parent),
+      type_(new QuietComboBox(this)),
+      forms_(new QStackedWidget(this)),
+      simulator_(new SimulatorForm(this)),
+      recording_(new RecordingForm(this)),
+      size_(new QLabel(this)),
+      problem_(new ProblemLabel(this)),
+      open_(new QPushButton(this))
+{
+    setObjectName(QStringLiteral("sourcePanel"));
+    auto* content = new QWidget(this);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    type_->setObjectName(QStringLiteral("sourceType"));
+    type_->setAccessibleName(tr("Type of source"));
+    type_->addItems({tr("Simulator"), tr("Recording")});
+    auto* typeForm = new QFormLayout;
+    typeForm->addRow(tr("&Type"), type_);
+    layout->addLayout(typeForm);
+    forms_->addWidget(simulator_);
+    forms_->addWidget(recording_);
+    layout->addWidget(forms_);
+    size_->setObjectName(QStringLiteral("scanSize"));
+    size_->setAccessibleName(tr("Size of the scan"));
+    size_->setWordWrap(true);
+    layout->addWidget(size_);
+    layout->addWidget(problem_);
+    open_->setObjectName(QStringLiteral("openSource"));
+    layout->addWidget(open_);
+    layout->addStretch();
+
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins({});
+    outer->addWidget(scrolling(content, this));
+    connect(type_, &QComboBox::currentIndexChanged, this, [this](int type) {
+        forms_->setCurrentIndex(type);
+        check();
+    });
+    connect(simulator_, &SimulatorForm::changed, this, &SourcePanel::check);
+    connect(recording_, &RecordingForm::changed, this, &SourcePanel::check);
+    connect(open_, &QPushButton::clicked, this, &SourcePanel::open);
+    check();
+}
+
+void SourcePanel::showSimulation(const SimulationSetup& setup)
+{
+    simulator_->setSetup(setup);
+    type_->setCurrentIndex(forms_->indexOf(simulator_));
+}
+
+void SourcePanel::showRecording(const QString& file)
+{
+    recording_->setFile(file);
+    type_->setCurrentIndex(forms_->indexOf(recording_));
+}
+
+SimulationSetup SourcePanel::simulation() const
+{
+    return simulator_->setup();
+}
+
+void SourcePanel::setRecentFiles(const QStringList& files)
+{
+    recording_->setRecentFiles(files);
+}
+
+void SourcePanel::check()
+{
+    const bool simulated = forms_->currentWidget() == simulator_;
+    QString problem;
+    if (simulated) {
+        const auto settings = acquisitionOf(simulator_->setup());
+        problem = settings ? QString{} : QString::fromStdString(settings.error().message);
+        size_->setText(settings ? QString::fromStdString(scanSizeText(*settings)) : QString{});
+    } else {
+        problem = recording_->problem();
+    }
+    size_->setVisible(simulated && problem.isEmpty());
+    // An empty field is not wrong yet; the button waits for it.
+    problem_->tell(!simulated && recording_->file().isEmpty() ? QString{} : problem);
+    open_->setEnabled(problem.isEmpty());
+    open_->setText(simulated ? tr("Use this simulator") : tr("Open recording"));
+    open_->setAccessibleName(open_->text());
+}
+
+void SourcePanel::open()
+{
+    if (forms_->currentWidget() == simulator_)
+        emit simulationRequested(simulator_->setup());
+    else
+        emit openRequested(recording_->address());
+}
+
+}  // namespace planewright

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/view3d/overlay_painter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <QFontMetrics>
+#include <QObject>
+
+namespace planewright {
+
+namespace {
+
+constexpr int kMargin = 12;
+constexpr int kPadding = 6;
+constexpr std::size_t kMostLegendLines = 16;
+
+/// A rounded plate that text stands on, so that it can be read over anything.
+void paintPlate(QPainter& painter, const QRect& rect, QColor colour, int alpha = 215)
+{
+    colour.setAlpha(alpha);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRoundedRect(rect, 4.0, 4.0);
+}
+
+QPoint toPixels(const Eigen::Vector3d& projected, QSize size)
+{
+    return {static_cast<int>(std::lround(size.width() / 2.0 + projected.x() * size.height())),
+            static_cast<int>(std::lround(size.height() / 2.0 - projected.y() * size.height()))};
+}
+
+/// Labels that would lie over one drawn before are left out, those of selected planes last.
+void paintLabels(QPainter& painter, QSize size, const MapScene& scene)
+{
+    const ThemeColours& colours = themeColours(scene.theme());
+    const QFontMetrics metrics(painter.font());
+    std::vector<SceneLabel> labels = scene.labels();
+    std::stable_partition(labels.begin(), labels.end(), [](const SceneLabel& label) { return label.selected; });
+    std::vector<QRect> taken;
+    const QRect picture(QPoint(0, 0), size);
+    for (const SceneLabel& label : labels) {
+        const Eigen::Vector3d place = projected(scene.camera(), label.place);
+        if (place.z() <= 0.0)
+            continue;
+        const QString text = QString::fromStdString(label.text);
+        QRect rect(0, 0, metrics.horizontalAdvance(text) + 2 * kPadding + 12, metrics.height() + 4);
+        rect.moveCenter(toPixels(place, size));
+        const bool free = picture.contains(rect) &&
+                          std::none_of(taken.begin(), taken.end(), [&](const QRect& r) { return r.intersects(rect); });
+        if (!free)
+            continue;
+        taken.push_back(rect);
+        paintPlate(painter, rect, toQColor(colours.background));
+        painter.setBrush(toQColor(label.colour));
+        painter.drawEllipse(QRect(rect.left() + kPadding, rect.center().y() - 4, 9, 9));
+        if (label.selected) {
+            painter.setPen(QPen(toQColor(colours.selection), 2.0));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRoundedRect(rect, 4.0, 4.0);
+        }
+        painter.setPen(toQColor(colours.text));
+        painter.drawText(rect.adjusted(kPadding + 12, 0, -kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft, text);
+    }
+}
+
+void paintLegend(QPainter& painter, QSize size, const MapScene& scene)
+{
+    const std::vector<LegendEntry> entries = scene.legend(kMostLegendLines);
+    if (!scene.map().snapshot || entries.empty())
+        return;
+    const ThemeColours& colours = themeColours(scene.theme());
+    const QFontMetrics metrics(painter.font());
+    const int line = metrics.height() + 2;
+    const QString title =
+        QObject::tr("Colour by %1")
+            .arg(QString::fromUtf8(kColourByNames[static_cast<std::size_t>(scene.layers().colourBy)].data()));
+    int width = metrics.horizontalAdvance(title);
+    for (const LegendEntry& entry : entries)
+        width = std::max(width, metrics.horizontalAdvance(QString::fromStdString(entry.text)) + 20);
+    QRect plate(0, 0, width + 2 * kPadding, line * (static_cast<int>(entries.size()) + 1) + 2 * kPadding);
+    plate.moveBottomRight(QPoint(size.width() - kMargin, size.height() - kMargin));
+    paintPlate(painter, plate, toQColor(colours.background));
+    painter.setPen(toQColor(colours.text));
+    QRect row(plate.left() + kPadding, plate.top() + kPadding, width, line);
+    painter.drawText(row, Qt::AlignVCenter | Qt::AlignLeft, title);
+    for (const LegendEntry& entry : entries) {
+        row.translate(0, line);
+        painter.fillRect(QRect(row.left(), row.center().y() - 5, 12, 11), toQColor(entry.colour));
+        painter.setPen(toQColor(colours.text));
+        painter.drawText(row.adjusted(20, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                         QString::fromStdString(entry.text));
+    }
+}
+
+void paintScaleBar(QPainter& painter, QSize size, const MapScene& scene)
+{
+    const double metresPerPixel = scene.camera().heightAtTarget() / size.height();
+    const double length = scaleBarLength(140.0 * metresPerPixel);
+    const int pixels = static_cast<int>(std::lround(length / metresPerPixel));
+    const QFontMetrics metrics(painter.font());
+    const QString text = length >= 1.0 ? QStringLiteral("%1 m").arg(length) : QStringLiteral("%1 cm").arg(100 * length);
+    const ThemeColours& colours = themeColours(scene.theme());
+    QRect plate(kMargin, 0, std::max(pixels, metrics.horizontalAdvance(text)) + 2 * kPadding,
+                metrics.height() + 8 + 2 * kPadding);
+    plate.moveBottom(size.height() - kMargin);
+    paintPlate(painter, plate, toQColor(colours.background));
+    painter.setPen(QPen(toQColor(colours.text), 2.0));
+    const int left = plate.left() + kPadding;
+    const int bottom = plate.bottom() - kPadding;
+    painter.drawLine(left, bottom, left + pixels, bottom);
+    painter.drawLine(left, bottom - 5, left, bottom);
+    painter.drawLine(left + pixels, bottom - 5, left + pixels, bottom);
+    painter.drawText(QRect(left, plate.top() + kPadding, plate.width() - 2 * kPadding, metrics.height()), Qt::AlignLeft,
+                     text);
+}
+
+void paintState(QPainter& painter, const MapScene& scene, const OverlayContent& content)
+{
+    const QFontMetrics metrics(painter.font());
+    const ThemeColours& colours = themeColours(scene.theme());
+    int top = kMargin;
+    if (!content.stateText.isEmpty()) {
+        const QRect chip(kMargin, top, metrics.horizontalAdvance(content.stateText) + 4 * kPadding,
+                         metrics.height() + 2 * kPadding);
+        paintPlate(painter, chip, content.stateColour, 255);
+        painter.setPen(Qt::white);
+        painter.drawText(chip, Qt::AlignCenter, content.stateText);
+        top = chip.bottom() + 5;
+    }
+    if (content.facts.isEmpty())
+        return;
+    int width = 0;
+    for (const QString& fact : content.facts)
+        width = std::max(width, metrics.horizontalAdvance(fact));
+    const QRect plate(kMargin, top, width + 2 * kPadding,
+                      static_cast<int>(content.facts.size()) * metrics.height() + 2 * kPadding);
+    paintPlate(painter, plate, toQColor(colours.background));
+    painter.setPen(toQColor(colours.text));
+    painter.drawText(plate.adjusted(kPadding, kPadding, -kPadding, -kPadding), Qt::AlignLeft, content.facts.join('\n'));
+}
+
+void paintTip(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content)
+{
+    if (content.tip.isEmpty())
+        return;
+    const QFontMetrics metrics(painter.font());
+    QRect plate(0, 0, metrics.horizontalAdvance(content.tip) + 2 * kPadding, metrics.height() + 2 * kPadding);
+    plate.moveBottomLeft(content.tipPlace + QPoint(14, -8));
+    plate.moveLeft(std::clamp(plate.left(), 0, std::max(0, size.width() - plate.width())));
+    plate.moveTop(std::max(0, plate.top()));
+    const ThemeColours& colours = themeColours(scene.theme());
+    paintPlate(painter, plate, toQColor(colours.text), 235);
+    painter.setPen(toQColor(colours.background));
+    painter.drawText(plate, Qt::AlignCenter, content.tip);
+}
+
+}  // namespace
+
+QColor toQColor(Rgb colour)
+{
+    return {colour.red, colour.green, colour.blue};
+}
+
+double scaleBarLength(double most)
+{
+    if (!(most > 0.0))
+        return 1.0;
+    const double power = std::pow(10.0, std::floor(std::log10(most)));
+    for (const double factor : {5.0, 2.0}) {
+        if (factor * power <= most)
+            return factor * power;
+    }
+    return power;
+}
+
+void paintOverlay(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::TextAntialiasing);
+    paintLabels(painter, size, scene);
+    paintLegend(painter, size, scene);
+    paintScaleBar(painter, size, scene);
+    paintState(painter, scene, content);
+    if (!content.hint.isEmpty()) {
+        painter.setPen(toQColor(themeColours(scene.theme()).text));
+        QFont large = painter.font();
+        large.setPointSizeF(1.3 * large.pointSizeF());
+        painter.save();
+        painter.setFont(large);
+        painter.drawText(QRect(QPoint(0, 0), size), Qt::AlignCenter, content.hint);
+        painter.restore();
+    }
+    paintTip(painter, size, scene, content);
+}
+
+}  // namespace planewright

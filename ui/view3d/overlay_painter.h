@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QRect>
+#include <QString>
+#include <QStringList>
+
+#include "ui/scene/map_scene.h"
+
+namespace planewright {
+
+/// What is written over the scene, beside what the scene itself says.
+struct OverlayContent {
+    QString stateText;   ///< of the session, with its sign; empty for none
+    QColor stateColour;  ///< of the chip
+    QStringList facts;   ///< lines below the chip
+    QString hint;        ///< in the middle, where there is nothing to see
+    QString tip;         ///< at the pointer
+    QPoint tipPlace;
+};
+
+QColor toQColor(Rgb colour);
+
+/// Paints names of planes, legend, scale bar, state and tip over a picture of this size, with the painter's font.
+void paintOverlay(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content);
+
+/// A round length that is drawn as a bar of at most this many metres: 1, 2 or 5 times a power of ten.
+double scaleBarLength(double most);
+
+}  // namespace planewright

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/welcome_page.h"
+
+#include <QFileInfo>
+#include <QFrame>
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace planewright {
+
+namespace {
+
+struct Room {
+    const char* scene;
+    const char* title;
+};
+constexpr Room kRooms[]{{"office", "Office"},
+                        {"hall", "Hall 20 × 25 m"},
+                        {"curved", "Curved wall"},
+                        {"stairs", "Stairs"},
+                        {"clutter", "Cluttered room"}};
+
+/// A framed part of the page with a title and a line of text; buttons come into its layout.
+QVBoxLayout* addCard(QHBoxLayout* row, const QString& title, const QString& text)
+{
+    auto* card = new QFrame;
+    card->setFrameShape(QFrame::StyledPanel);
+    card->setMinimumWidth(220);
+    auto* layout = new QVBoxLayout(card);
+    layout->setContentsMargins(18, 16, 18, 16);
+    auto* heading = new QLabel(title);
+    QFont font = heading->font();
+    font.setBold(true);
+    font.setPointSizeF(1.25 * font.pointSizeF());
+    heading->setFont(font);
+    layout->addWidget(heading);
+    auto* line = new QLabel(text);
+    line->setWordWrap(true);
+    layout->addWidget(line);
+    layout->addStretch(1);
+    row->addWidget(card, 1);
+    return layout;
+}
+
+QPushButton* addButton(QVBoxLayout* layout, const QString& text, const QString& name)
+{
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    button->setMinimumHeight(32);
+    layout->addWidget(button);
+    return button;
+}
+
+}  // namespace
+
+WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWidget)
+{
+    setObjectName(QStringLiteral("welcome"));
+    setAccessibleName(tr("Welcome"));
+    auto* page = new QVBoxLayout(this);
+    page->setContentsMargins(40, 30, 40, 24);
+    auto* title = new QLabel(tr("Watch a room grow into planes"));
+    QFont large = title->font();
+    large.setPointSizeF(1.9 * large.pointSizeF());
+    title->setFont(large);
+    page->addWidget(title);
+    page->addSpacing(12);
+
+    auto* cards = new QHBoxLayout;
+    cards->setSpacing(16);
+    page->addLayout(cards);
+    QVBoxLayout* sample =
+        addCard(cards, tr("See it work"),
+                tr("A simulated scanner nods through a corridor: line segments appear at once, the first planes after "
+                   "five slices."));
+    QPushButton* play = addButton(sample, tr("▶ Play the sample corridor"), QStringLiteral("welcomeSample"));
+    play->setDefault(true);
+    connect(play, &QPushButton::clicked, this, &WelcomePage::sampleRequested);
+
+    QVBoxLayout* open = addCard(cards, tr("Open a recording"),
+                                tr("A .pwscan project, or a recording as .csv or .csv.gz. Files can also be dropped "
+                                   "onto this window."));
+    QPushButton* choose = addButton(open, tr("Open…"), QStringLiteral("welcomeOpen"));
+    connect(choose, &QPushButton::clicked, this, &WelcomePage::openDialogRequested);
+
+    QVBoxLayout* rooms = addCard(cards, tr("Try another room"),
+                                 tr("Each is known to the millimetre, so that what is "
+                                    "found can be compared with what is there."));
+    for (const Room& room : kRooms) {
+        const QString scene = QLatin1String(room.scene);
+        QPushButton* button = addButton(rooms, tr(room.title), QStringLiteral("welcome_") + scene);
+        connect(button, &QPushButton::clicked, this,
+                [this, scene] { emit openRequested(QStringLiteral("sim:%1?seed=1").arg(scene)); });
+    }
+
+    page->addSpacing(16);
+    auto* recentTitle = new QLabel(tr("&Recent"));
+    recentTitle->setBuddy(recent_);
+    page->addWidget(recentTitle);
+    recent_->setObjectName(QStringLiteral("welcomeRecent"));
+    recent_->setAccessibleName(tr("Recent files"));
+    page->addWidget(recent_, 1);
+    connect(recent_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+        if (const QString file = item->data(Qt::UserRole).toString(); !file.isEmpty())
+            emit openRequested(file);
+    });
+    auto* small =
+        new QLabel(tr("Language and theme follow the system (change them in Preferences). Nothing is sent "
+                      "anywhere."));
+    small->setWordWrap(true);
+    page->addWidget(small);
+    setRecent({});
+}
+
+void WelcomePage::setRecent(const QStringList& files)
+{
+    recent_->clear();
+    for (const QString& file : files) {
+        const QFileInfo info(file);
+        if (!info.exists())
+            continue;
+        auto* item = new QListWidgetItem(QStringLiteral("%1   %2").arg(info.fileName(), info.absolutePath()), recent_);
+        item->setData(Qt::UserRole, info.absoluteFilePath());
+        item->setSizeHint({0, 28});
+    }
+    if (recent_->count() == 0) {
+        auto* item = new QListWidgetItem(tr("Nothing was opened yet."), recent_);
+        item->setFlags(Qt::NoItemFlags);
+    }
+}
+
+}  // namespace planewright
