@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/parameter_events.h"
 #include "core/formats/pwscan_project.h"
 #include "core/formats/recording_pwscan.h"
 #include "devices/emulated/simulated_room.h"

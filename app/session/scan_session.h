@@ -3,38 +3,21 @@
 
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <QObject>
 #include <QString>
 
-#include "app/session/loops/scan_pipeline.h"
-#include "app/session/open_source.h"
+#include "app/session/loops/snapshot_bridge.h"
 #include "app/session/session_machine.h"
 #include "app/session/session_map.h"
+#include "app/session/session_options.h"
 
 namespace planewright {
 
-/// What a session is set up with.
-struct SessionOptions {
-    /// Parameters for what is opened, step by step, one set at least: by the scanner's name and what the file says it
-    /// was extracted with. Without it: what the file says, or else the default preset with the scanner's noise.
-    std::function<Result<std::vector<ParametersFrom>>(const std::string& scanner, std::vector<ParametersFrom> stored)>
-        chooseParameters;
-    /// Where scans are recorded, as `.pwscan` files named by the time; empty: they are not.
-    std::string recordFolder;
-    bool explain = true;                                                ///< snapshots tell every decision
-    SimulatedScanner simulation{{}, defaultSimulationNoise(), 1, 1.0};  ///< what `sim:` is set up with; its own seed
-    std::chrono::milliseconds frame{16};                                ///< mapChanged comes at most once in this time
-    std::chrono::milliseconds statusEvery{250};                         ///< while something runs
-    const Clock* clock = nullptr;  ///< of sources and loops; null: the machine's. A test brings its own.
-    /// Makes the recorder of a path; without it a PwscanRecorder. A test brings one that fails.
-    std::function<std::unique_ptr<SliceRecorder>(const std::string& path)> makeRecorder;
-};
+struct SessionParts;
 
 /// A scan from its source to its planes: opens, starts, records, extracts, and keeps every step of it.
 ///
@@ -125,8 +108,7 @@ signals:
     void logLine(planewright::LogLevel level, const QString& source, const QString& text);
 
 private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<SessionParts> parts_;
 };
 
 }  // namespace planewright

@@ -24,7 +24,7 @@ ScanPipeline::ScanPipeline(ScanPlan plan, ScanEvents events, const Clock& clock)
 {
 }
 
-std::array<std::function<void()>, 3> ScanPipeline::loops()
+std::vector<std::function<void()>> ScanPipeline::loops()
 {
     return {[this] { acquisition_.run(); }, [this] { recording_.run(); }, [this] { extraction_.run(); }};
 }

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "app/session/loops/acquisition_loop.h"
 #include "app/session/loops/extraction_loop.h"
 #include "app/session/loops/recording_loop.h"
+#include "app/session/loops/scan_work.h"
 
 namespace planewright {
 
@@ -30,25 +30,13 @@ struct ScanEvents {
     std::function<void(const Error&)> onExtractionFailed;
 };
 
-/// How a scan goes on.
-struct PipelineStatus {
-    double slicesPerSecond = 0.0;
-    std::size_t queueDepth = 0;  ///< slices that wait for the recorder or the extractor
-    std::chrono::nanoseconds stepTime{0};
-    int acquired = 0;   ///< slices taken
-    int extracted = 0;  ///< of these, worked in
-    int lost = 0;       ///< steps that were passed over
-    RecordingStatus recording;
-};
-
-/// The way of a scan's slices: source → recorder → extractor → bridge. It starts no thread: whoever owns it runs each
-/// of loops() on one, and joins them before it goes. Everything else may be called by any thread at any time.
-class ScanPipeline {
+/// The way of a scan's slices: source → recorder → extractor → bridge.
+class ScanPipeline : public ScanWork {
 public:
     ScanPipeline(ScanPlan plan, ScanEvents events, const Clock& clock);
 
     /// Acquisition, recording, extraction. They end by themselves: after the last slice, finish() or abandon().
-    std::array<std::function<void()>, 3> loops();
+    std::vector<std::function<void()>> loops() override;
 
     Result<void> pause();
     Result<void> resume();
@@ -65,12 +53,14 @@ public:
     void giveUp() { acquisition_.giveUp(); }
 
     /// Ends everything soon: no more slices, no more steps; what was taken is still recorded where the disk lets it.
-    void abandon();
+    void abandon() override;
 
-    std::vector<ExtractedStep> take() { return bridge_.take(); }
-    PipelineStatus status() const;
+    std::vector<ExtractedStep> take() override { return bridge_.take(); }
+    PipelineStatus status() const override;
     bool records() const { return recording_.isOn(); }
-    const ScanDescription& correctedDescription() const { return extraction_.correctedDescription(); }
+    /// What is said once about the slices as they were measured.
+    const ScanDescription& measuredDescription() const { return description_; }
+    const ScanDescription& correctedDescription() const override { return extraction_.correctedDescription(); }
 
 private:
     std::shared_ptr<ScanSource> source_;

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/session/open_source.h"
+
+#include <utility>
+
+#include "app/files/recording_file.h"
+#include "core/formats/parameter_events.h"
+#include "devices/replay/replayed_recording.h"
+
+namespace planewright {
+
+namespace {
+
+Result<OpenedSource> openRoom(const SourceAddress& address, SimulatedScanner scanner, const Clock& clock)
+{
+    Result<Scene> scene = makeScene(address.name, address.seed);
+    if (!scene)
+        return tl::unexpected{scene.error()};
+    scanner.seed = address.seed;
+    scanner.speed = address.speed;
+    OpenedSource opened;
+    opened.source = std::make_shared<SimulatedRoom>(std::move(*scene), scanner, clock);
+    return opened;
+}
+
+/// Edits go where the scan was read from. A file that cannot even be opened for that can still be looked at.
+void openProject(const std::string& path, const ScanNotes& notes, OpenedSource& opened)
+{
+    opened.scan = notes.scan.id;
+    opened.edits = notes.edits;
+    Result<PwscanProject> project = PwscanProject::open(path);
+    if (project)
+        opened.project = std::move(*project);
+    else
+        opened.warnings.push_back(project.error().message);
+}
+
+Result<OpenedSource> openFile(const std::string& path, double speed, const Clock& clock, const std::stop_token& stop)
+{
+    Result<RecordingFile> file = loadRecordingFile(path, {}, stop);
+    if (!file)
+        return tl::unexpected{file.error()};
+    OpenedSource opened;
+    opened.warnings = std::move(file->warnings);
+    if (file->notes) {
+        Result<std::vector<ParametersFrom>> parameters = readParameterEvents(file->notes->events, path);
+        if (parameters)
+            opened.parameters = std::move(*parameters);
+        else
+            opened.warnings.push_back(parameters.error().message);
+        openProject(path, *file->notes, opened);
+    }
+    opened.source = std::make_shared<ReplayedRecording>(std::make_shared<const Recording>(std::move(file->recording)),
+                                                        path.substr(path.rfind('/') + 1), clock, speed);
+    return opened;
+}
+
+}  // namespace
+
+SimulationNoise defaultSimulationNoise()
+{
+    return simulationNoise("default").value_or(SimulationNoise{});
+}
+
+Result<OpenedSource> openSource(const SourceAddress& address, const SimulatedScanner& simulation, const Clock& clock,
+                                const std::stop_token& stop)
+{
+    switch (address.kind) {
+        case SourceAddress::Kind::Simulation:
+            return openRoom(address, simulation, clock);
+        case SourceAddress::Kind::Replay:
+            return openFile(address.name, address.speed, clock, stop);
+        case SourceAddress::Kind::File:
+            break;
+    }
+    return openFile(address.name, 0.0, clock, stop);
+}
+
+}  // namespace planewright

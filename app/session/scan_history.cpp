@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/session/scan_history.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace planewright {
+
+ScanHistory::ScanHistory(ScanDescription description, int plannedSteps)
+    : description_(std::move(description)), plannedSteps_(plannedSteps)
+{
+}
+
+void ScanHistory::add(std::vector<ExtractedStep> steps)
+{
+    for (ExtractedStep& step : steps) {
+        if (step.slice)
+            slices_.push_back(step.slice);
+        steps_.push_back(std::move(step));
+    }
+}
+
+std::vector<SharedSlice> ScanHistory::measured() const
+{
+    std::vector<SharedSlice> measured;
+    for (const ExtractedStep& step : steps_) {
+        if (step.measured)
+            measured.push_back(step.measured);
+    }
+    return measured;
+}
+
+std::shared_ptr<const SessionMap> ScanHistory::newest() const
+{
+    return mapOf(steps_.size());
+}
+
+std::shared_ptr<const SessionMap> ScanHistory::at(int step) const
+{
+    const auto after = std::upper_bound(slices_.begin(), slices_.end(), step,
+                                        [](int limit, const SharedSlice& slice) { return limit < slice->step; });
+    if (after == slices_.end())
+        return newest();
+    return mapOf(static_cast<std::size_t>(std::distance(slices_.begin(), after)));
+}
+
+/// The scan after so many steps.
+std::shared_ptr<const SessionMap> ScanHistory::mapOf(std::size_t steps) const
+{
+    auto map = std::make_shared<SessionMap>();
+    const std::size_t slices = std::min(steps, slices_.size());
+    map->slices.assign(slices_.begin(), slices_.begin() + static_cast<std::ptrdiff_t>(slices));
+    map->sensor = sensorOf(description_);
+    map->plannedSteps = plannedSteps_;
+    map->isNewest = steps == steps_.size();
+    if (steps > 0) {
+        map->snapshot = steps_[steps - 1].snapshot;
+        map->finished = steps_[steps - 1].slice == nullptr;
+    }
+    if (slices > 0)
+        map->step = map->slices.back()->step;
+    return map;
+}
+
+}  // namespace planewright

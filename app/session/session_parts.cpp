@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/session/session_parts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDateTime>
+
+#include "app/session/loops/pwscan_recorder.h"
+#include "app/session/loops/reextraction.h"
+#include "app/session/recording_name.h"
+#include "core/params/presets.h"
+
+namespace planewright {
+
+namespace {
+
+/// What a recording was extracted with, or else the default method with the noise of the scanner.
+std::vector<ParametersFrom> defaultParameters(const std::string& scanner, std::vector<ParametersFrom> stored)
+{
+    if (!stored.empty())
+        return stored;
+    Parameters parameters;
+    apply(methodPresets().front(), parameters);
+    if (const Preset* sensor = sensorOfScanner(scanner))
+        apply(*sensor, parameters);
+    return {{0, parameters}};
+}
+
+}  // namespace
+
+SessionParts::SessionParts(ScanSession& owner, SessionOptions chosen)
+    : session(owner),
+      options(std::move(chosen)),
+      clock(options.clock != nullptr ? *options.clock : steadyClock()),
+      opener(clock),
+      parameters(defaultParameters({}, {})),
+      map(history.newest())
+{
+    frame_.setSingleShot(true);
+    QObject::connect(&frame_, &QTimer::timeout, &session, [this] { onFrame(); });
+    statusTick_.setInterval(options.statusEvery);
+    QObject::connect(&statusTick_, &QTimer::timeout, &session, [this] { emit session.statusChanged(status()); });
+    QObject::connect(&opener, &SourceOpener::opened, &session,
+                     [this](const std::shared_ptr<Result<OpenedSource>>& result) { onOpened(*result); });
+}
+
+Result<void> SessionParts::request(SessionRequest request)
+{
+    Q_ASSERT(QThread::currentThread() == session.thread());
+    return machine.request(request);
+}
+
+void SessionParts::happen(SessionHappening happening)
+{
+    machine.happen(happening);
+    tellState();
+}
+
+void SessionParts::tellState()
+{
+    if (std::exchange(told_, machine.state()) == machine.state())
+        return;
+    emit session.stateChanged(machine.state());
+    emit session.statusChanged(status());
+}
+
+void SessionParts::log(LogLevel level, const std::string& text)
+{
+    const std::string name = opened.source ? opened.source->name() : "Session";
+    emit session.logLine(level, QString::fromStdString(name), QString::fromStdString(text));
+}
+
+void SessionParts::tellFault(const Error& error)
+{
+    log(LogLevel::Error, error.message);
+    emit session.faulted(error);
+}
+
+void SessionParts::onOpened(Result<OpenedSource>& result)
+{
+    if (!result)
+        return refuseOpened(result.error());
+    const std::string scanner = result->source->description().scanner;
+    Result<std::vector<ParametersFrom>> chosen = options.chooseParameters
+                                                     ? options.chooseParameters(scanner, result->parameters)
+                                                     : defaultParameters(scanner, result->parameters);
+    if (!chosen)
+        return refuseOpened(chosen.error());
+    forget();
+    opened = std::move(*result);
+    address = openText;
+    parameters = std::move(*chosen);
+    for (const std::string& warning : opened.warnings)
+        log(LogLevel::Warning, warning);
+    emit session.parametersChanged();
+    const bool isReadOnly = opened.project && !opened.project->readOnlyBecause().empty();
+    if (isReadOnly)
+        log(LogLevel::Warning, opened.project->readOnlyBecause());
+    if (opened.source->isLive()) {
+        machine.happen(SessionHappening::Connected);
+    } else {
+        machine.happen(isReadOnly ? SessionHappening::LoadedReadOnly : SessionHappening::Loaded);
+        startScan();
+    }
+    tellState();
+}
+
+void SessionParts::refuseOpened(const Error& error)
+{
+    happen(SessionHappening::LoadingFailed);
+    tellFault(error);
+}
+
+/// A recorder for a scan that is taken now, where recording is on.
+std::unique_ptr<SliceRecorder> SessionParts::recorder()
+{
+    recordedPath_.clear();
+    if (!opened.source->isLive() || options.recordFolder.empty())
+        return nullptr;
+    recordedPath_ = newRecordingPath(options.recordFolder, QDateTime::currentDateTime());
+    if (options.makeRecorder)
+        return options.makeRecorder(recordedPath_);
+    return std::make_unique<PwscanRecorder>(recordedPath_, PwscanRecorder::Target::NewFile, opened.source->name());
+}
+
+void SessionParts::startScan()
+{
+    run.reset();
+    if (opened.source->isLive()) {
+        // A scan of its own begins with the parameters that are in force now, and has no file yet.
+        parameters = {{0, parameters.back().parameters}};
+        opened.project.reset();
+        opened.edits.clear();
+    }
+    auto next = std::make_unique<SessionRun>([this](const ScanEvents& events) {
+        auto work = std::make_unique<ScanPipeline>(ScanPlan{opened.source, recorder(), parameters, options.explain},
+                                                   events, clock);
+        pipeline = work.get();
+        return work;
+    });
+    measuredDescription_ = pipeline->measuredDescription();
+    history = ScanHistory{next->work().correctedDescription(), opened.source->plannedSlices().value_or(0)};
+    shownStep.reset();
+    showMap();
+    begin(std::move(next));
+}
+
+void SessionParts::startRerun()
+{
+    run.reset();
+    pipeline = nullptr;
+    rerunCancelled_ = false;
+    const ParametersFrom present{0, parameters.back().parameters};
+    auto next = std::make_unique<SessionRun>([&](const ScanEvents& events) {
+        ExtractionPlan plan{measuredDescription_, {present}, options.explain};
+        return std::make_unique<Reextraction>(std::move(plan), history.measured(), events.onNews,
+                                              events.onExtractionFailed, clock);
+    });
+    rerunHistory_.emplace(next->work().correctedDescription(), history.plannedSteps());
+    begin(std::move(next));
+}
+
+void SessionParts::cancelRerun()
+{
+    rerunCancelled_ = true;
+    run->work().abandon();
+}
+
+void SessionParts::begin(std::unique_ptr<SessionRun> next)
+{
+    run = std::move(next);
+    connectRun();
+    statusTick_.start();
+    run->start();
+}
+
+void SessionParts::connectRun()
+{
+    const auto on = [this](auto signal, auto slot) { QObject::connect(run.get(), signal, &session, slot); };
+    on(&SessionRun::begun, [this] { happen(SessionHappening::Begun); });
+    on(&SessionRun::sourceEnded, [this] { happen(SessionHappening::SourceEnded); });
+    on(&SessionRun::sourceFailed, [this](const Error& error) {
+        happen(SessionHappening::SourceFailed);
+        tellFault(error);
+    });
+    on(&SessionRun::recordingTroubled, [this](const Error& error) {
+        tellFault(
+            {error.code, error.message +
+                             ". The scan goes on: its slices are kept in memory, and writing is tried again every "
+                             "second"});
+    });
+    on(&SessionRun::recordingRecovered, [this] { log(LogLevel::Info, "all slices are on the disk again"); });
+    on(&SessionRun::recordingClosed, [this] { log(LogLevel::Info, recordedPath_ + ": recorded"); });
+    on(&SessionRun::recordingGivenUp, [this](const Error& error) { tellFault(error); });
+    on(&SessionRun::extractionFailed, [this](const Error& error) { tellFault(error); });
+    on(&SessionRun::news, [this] {
+        const auto since = clock.now() - shownAt_;
+        const auto wait = std::chrono::ceil<std::chrono::milliseconds>(options.frame - since);
+        if (!frame_.isActive())
+            frame_.start(std::clamp(wait, std::chrono::milliseconds{0}, options.frame));
+    });
+    on(&SessionRun::ended, [this] { onEnded(); });
+}
+
+/// Takes what the run has made; of a rerun it is shown when it is complete.
+void SessionParts::takeSteps()
+{
+    std::vector<ExtractedStep> steps = run->work().take();
+    if (steps.empty())
+        return;
+    if (rerunHistory_) {
+        rerunHistory_->add(std::move(steps));
+        return;
+    }
+    history.add(std::move(steps));
+    emit session.historyChanged(static_cast<int>(history.steps().size()));
+}
+
+void SessionParts::onFrame()
+{
+    if (!run)
+        return;
+    shownAt_ = clock.now();
+    takeSteps();
+    if (!rerunHistory_ && !shownStep)
+        showMap();
+}
+
+void SessionParts::showMap()
+{
+    map = shownStep ? history.at(*shownStep) : history.newest();
+    emit session.mapChanged(map);
+}
+
+/// All threads have ended: whatever came is worked in, and the recording is closed.
+void SessionParts::onEnded()
+{
+    frame_.stop();
+    statusTick_.stop();
+    takeSteps();
+    lastStatus_ = run->work().status();
+    const bool isEmpty = pipeline != nullptr && lastStatus_.acquired == 0;
+    // It is emitting this very signal.
+    run->setParent(&session);
+    run.release()->deleteLater();
+    pipeline = nullptr;
+    if (rerunHistory_) {
+        if (!rerunCancelled_) {
+            history = std::move(*rerunHistory_);
+            emit session.historyChanged(static_cast<int>(history.steps().size()));
+        }
+        rerunHistory_.reset();
+    }
+    openRecorded();
+    showMap();
+    happen(isEmpty ? SessionHappening::CaughtUpEmpty : SessionHappening::CaughtUp);
+}
+
+/// From now on edits go into the file that the scan was recorded into.
+void SessionParts::openRecorded()
+{
+    if (recordedPath_.empty() || options.makeRecorder || opened.project)
+        return;
+    Result<PwscanProject> project = PwscanProject::open(recordedPath_);
+    if (!project) {
+        log(LogLevel::Warning, project.error().message);
+        return;
+    }
+    opened.project = std::move(*project);
+    opened.scan = 1;
+}
+
+void SessionParts::forget()
+{
+    frame_.stop();
+    statusTick_.stop();
+    run.reset();
+    pipeline = nullptr;
+    rerunHistory_.reset();
+    lastStatus_ = {};
+    opened = {};
+    address.clear();
+    recordedPath_.clear();
+    history = {};
+    shownStep.reset();
+    showMap();
+    emit session.historyChanged(0);
+}
+
+SessionStatus SessionParts::status() const
+{
+    const PipelineStatus now = run ? run->work().status() : lastStatus_;
+    SessionStatus status;
+    if (opened.source) {
+        status.source = opened.source->name();
+        status.plannedSteps = opened.source->plannedSlices().value_or(0);
+    }
+    status.slicesPerSecond = run ? now.slicesPerSecond : 0.0;
+    status.queueDepth = now.queueDepth;
+    status.stepTime = now.stepTime;
+    status.acquired = now.acquired;
+    status.extracted = now.extracted;
+    status.lost = now.lost;
+    status.recording = recordedPath_;
+    status.recordedBytes = now.recording.bytes;
+    status.freeBytes = now.recording.freeBytes;
+    status.notOnDisk = now.recording.notOnDisk;
+    return status;
+}
+
+}  // namespace planewright

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QTimer>
+
+#include "app/session/scan_history.h"
+#include "app/session/scan_session.h"
+#include "app/session/session_run.h"
+#include "app/session/source_opener.h"
+
+namespace planewright {
+
+/// What a session is made of, and what follows when one of its parts has news.
+struct SessionParts {
+    SessionParts(ScanSession& owner, SessionOptions chosen);
+
+    // Verbs come here when they are allowed.
+    Result<void> request(SessionRequest request);
+    void startScan();
+    void startRerun();
+    void cancelRerun();
+    void forget();
+
+    // What the outside is told.
+    void tellState();
+    void showMap();
+    void log(LogLevel level, const std::string& text);
+    SessionStatus status() const;
+
+    ScanSession& session;
+    SessionOptions options;
+    const Clock& clock;
+    SessionMachine machine;
+    SourceOpener opener;
+    std::string openText;  ///< what is being opened
+    std::string address;   ///< what is open
+    OpenedSource opened;
+    std::vector<ParametersFrom> parameters;  ///< of the next scan or replay; the last are those in force
+    ScanHistory history;
+    std::optional<int> shownStep;  ///< somebody has gone back to it
+    std::shared_ptr<const SessionMap> map;
+
+    std::unique_ptr<SessionRun> run;   ///< while slices are taken or worked in
+    ScanPipeline* pipeline = nullptr;  ///< its work, unless it is a rerun
+
+private:
+    void onOpened(Result<OpenedSource>& result);
+    void refuseOpened(const Error& error);
+    void begin(std::unique_ptr<SessionRun> next);
+    void connectRun();
+    void onFrame();
+    void onEnded();
+    void takeSteps();
+    void openRecorded();
+    std::unique_ptr<SliceRecorder> recorder();
+    void happen(SessionHappening happening);
+    void tellFault(const Error& error);
+
+    ScanDescription measuredDescription_;      ///< of the slices as they were measured
+    std::optional<ScanHistory> rerunHistory_;  ///< of a rerun, until it is complete
+    bool rerunCancelled_ = false;
+    std::string recordedPath_;  ///< of the scan that is taken; empty: it is not recorded
+    SessionState told_ = SessionState::Empty;
+    PipelineStatus lastStatus_;  ///< of the run before
+    std::chrono::nanoseconds shownAt_{0};
+    QTimer frame_;
+    QTimer statusTick_;
+};
+
+}  // namespace planewright
