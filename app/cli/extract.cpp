@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,8 @@
 #include "app/cli/parameter_options.h"
 #include "app/cli/plane_table.h"
 #include "app/cli/recording_file.h"
-#include "app/files/scan_results.h"
 #include "app/files/file_kind.h"
+#include "app/files/scan_results.h"
 #include "core/formats/history.h"
 #include "core/geometry/correct_recording.h"
 #include "core/pipeline/apply_edits.h"
@@ -61,7 +62,7 @@ public:
     }
 
     template <class WriterOf>
-    void add(const std::string& path, std::initializer_list<std::string_view> suffixes, std::string_view what,
+    void add(const std::string& path, std::span<const std::string_view> suffixes, std::string_view what,
              WriterOf writerOf)
     {
         if (path.empty() || !problem_)
@@ -132,8 +133,9 @@ Result<ExitCode> extract(const ExtractOptions& options)
         plan.add(path, kPlanesSuffixes, "the planes", planesWriter);
     plan.add(options.segments, kSegmentsSuffixes, "the segments", segmentsWriter);
     plan.add(options.points, kPointsSuffixes, "the points", pointsWriter);
-    plan.add(options.floorPlan, kFloorPlanSuffixes, "the floor plan",
-             [&](std::string_view) { return floorPlanWriter(options.cutHeight, [](std::string_view text) { printWarning(std::string{text}); }); });
+    plan.add(options.floorPlan, kFloorPlanSuffixes, "the floor plan", [&](std::string_view) {
+        return floorPlanWriter(options.cutHeight, [](std::string_view text) { printWarning(std::string{text}); });
+    });
     plan.add(options.labels, [](std::ostream& out, const ScanResults& r) { return writeLabels(out, r.labels); });
     Stats stats;
     plan.add(options.stats, [&stats](std::ostream& out, const ScanResults&) { return writeStats(out, stats); });

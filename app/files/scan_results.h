@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include <array>
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <ostream>
 #include <string_view>
@@ -34,10 +34,10 @@ void addLabels(ScanResults& results);
 using ResultWriter = std::function<Result<void>(std::ostream&, const ScanResults&)>;
 
 // The kinds of files by their suffixes, and what writes them.
-inline constexpr std::initializer_list<std::string_view> kPlanesSuffixes{".csv", ".json", ".ply", ".obj", ".dxf"};
-inline constexpr std::initializer_list<std::string_view> kSegmentsSuffixes{".csv", ".ply"};
-inline constexpr std::initializer_list<std::string_view> kPointsSuffixes{".ply", ".pcd"};
-inline constexpr std::initializer_list<std::string_view> kFloorPlanSuffixes{".dxf"};
+inline constexpr std::array<std::string_view, 5> kPlanesSuffixes{".csv", ".json", ".ply", ".obj", ".dxf"};
+inline constexpr std::array<std::string_view, 2> kSegmentsSuffixes{".csv", ".ply"};
+inline constexpr std::array<std::string_view, 2> kPointsSuffixes{".ply", ".pcd"};
+inline constexpr std::array<std::string_view, 1> kFloorPlanSuffixes{".dxf"};
 
 ResultWriter planesWriter(std::string_view suffix);
 ResultWriter segmentsWriter(std::string_view suffix);

@@ -48,7 +48,7 @@ ScanResults resultsOf(const WindowParts& parts, bool withLabels)
 
 }  // namespace
 
-std::initializer_list<std::string_view> suffixesOf(ExportKind kind)
+std::span<const std::string_view> suffixesOf(ExportKind kind)
 {
     switch (kind) {
         case ExportKind::Points:

@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include <QString>
 
 #include "app/files/scan_results.h"
@@ -14,7 +17,7 @@ namespace planewright {
 enum class ExportKind { Planes, Points, Segments, FloorPlan };
 
 /// Suffixes of a kind's files, the usual one first.
-std::initializer_list<std::string_view> suffixesOf(ExportKind kind);
+std::span<const std::string_view> suffixesOf(ExportKind kind);
 
 /// Writes a part of what is shown to a file, whose suffix says how: the same bytes as `planewright-cli extract` writes
 /// of the same scan with the same parameters and edits. An existing file is replaced once the new one is complete.

@@ -25,9 +25,10 @@ QString filtersOf(ExportKind kind)
 {
     QStringList filters;
     for (const std::string_view suffix : suffixesOf(kind))
-        filters.push_back(QStringLiteral("%1 (*%2)")
-                              .arg(QString::fromUtf8(suffix.data() + 1, static_cast<qsizetype>(suffix.size()) - 1).toUpper(),
-                                   QString::fromUtf8(suffix.data(), static_cast<qsizetype>(suffix.size()))));
+        filters.push_back(
+            QStringLiteral("%1 (*%2)")
+                .arg(QString::fromUtf8(suffix.data() + 1, static_cast<qsizetype>(suffix.size()) - 1).toUpper(),
+                     QString::fromUtf8(suffix.data(), static_cast<qsizetype>(suffix.size()))));
     return filters.join(QStringLiteral(";;"));
 }
 
@@ -78,9 +79,8 @@ QString FileControl::folder() const
 
 void FileControl::openWithDialog()
 {
-    const QString file = QFileDialog::getOpenFileName(
-        parts_.window.get(), tr("Open a recording"), folder(),
-        tr("Recordings (*.pwscan *.csv *.csv.gz);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(parts_.window.get(), tr("Open a recording"), folder(),
+                                                      tr("Recordings (*.pwscan *.csv *.csv.gz);;All files (*)"));
     if (file.isEmpty())
         return;
     parts_.settings.setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath());
@@ -89,8 +89,7 @@ void FileControl::openWithDialog()
 
 QString FileControl::chosenTarget(const QString& title, const QString& name, const QString& filters)
 {
-    const QString file =
-        QFileDialog::getSaveFileName(parts_.window.get(), title, folder() + "/" + name, filters);
+    const QString file = QFileDialog::getSaveFileName(parts_.window.get(), title, folder() + "/" + name, filters);
     if (!file.isEmpty())
         parts_.settings.setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath());
     return file;
@@ -98,8 +97,8 @@ QString FileControl::chosenTarget(const QString& title, const QString& name, con
 
 void FileControl::saveCopy()
 {
-    const QString file = chosenTarget(tr("Save a copy as"), QStringLiteral("scan.csv.gz"),
-                                      tr("Recordings (*.csv.gz *.csv)"));
+    const QString file =
+        chosenTarget(tr("Save a copy as"), QStringLiteral("scan.csv.gz"), tr("Recordings (*.csv.gz *.csv)"));
     if (file.isEmpty())
         return;
     Recording recording;

@@ -3,6 +3,8 @@
 
 #include "app/window/program_control.h"
 
+#include <vtkVersion.h>
+
 #include <QApplication>
 #include <QClipboard>
 #include <QDesktopServices>
@@ -12,7 +14,6 @@
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
-#include <vtkVersion.h>
 
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/command_palette.h"
@@ -90,8 +91,7 @@ void ProgramControl::connectHelp()
     on("actShortcuts", [this, &actions] { ShortcutsDialog(actions.all(), parts_.window.get()).exec(); });
     on("actCommandPalette", [this, &actions] { CommandPalette(actions.all(), parts_.window.get()).exec(); });
     on("actManual", [this] { showPage(tr("Manual"), QStringLiteral(":/manual/window.md")); });
-    on("actParameterReference",
-       [this] { showPage(tr("Parameters"), QStringLiteral(":/manual/parameters.md")); });
+    on("actParameterReference", [this] { showPage(tr("Parameters"), QStringLiteral(":/manual/parameters.md")); });
     on("actBugReport", [this] {
         QApplication::clipboard()->setText(parts_.logPanel->bugReport());
         parts_.say(tr("Versions and the log are on the clipboard."));

@@ -23,9 +23,10 @@ QImage takePicture(WindowParts& parts, QSize size, bool wholeWindow)
     } else {
         // Lines and text keep their size against the picture: at twice the size of the view they are twice as large.
         const QSize shown = view.size().expandedTo({1, 1});
-        const double scale = size.isEmpty() ? ratio
-                                            : std::max(1.0, std::min(static_cast<double>(size.width()) / shown.width(),
-                                                                     static_cast<double>(size.height()) / shown.height()));
+        const double scale = size.isEmpty()
+                                 ? ratio
+                                 : std::max(1.0, std::min(static_cast<double>(size.width()) / shown.width(),
+                                                          static_cast<double>(size.height()) / shown.height()));
         const QSize pixels = size.isEmpty() ? (QSizeF(shown) * ratio).toSize() : size;
         image = view.picture(pixels.boundedTo({kMostPixels, kMostPixels}), scale);
     }
@@ -46,20 +47,21 @@ Result<void> savePicture(const QImage& picture, const QString& file)
     if (!file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
         return fail(ErrorCode::Usage, file.toStdString() + ": pictures are written as .png");
     if (picture.isNull())
-        return fail(ErrorCode::NotWritten, file.toStdString() + ": there is no picture to write; choose a smaller size");
+        return fail(ErrorCode::NotWritten,
+                    file.toStdString() + ": there is no picture to write; choose a smaller size");
     QSaveFile target(file);
     target.setDirectWriteFallback(false);
     const auto failure = [&] {
-        return fail(ErrorCode::NotWritten, file.toStdString() + ": cannot be written: " +
-                                               target.errorString().toStdString());
+        return fail(ErrorCode::NotWritten,
+                    file.toStdString() + ": cannot be written: " + target.errorString().toStdString());
     };
     if (!target.open(QIODevice::WriteOnly))
         return failure();
     QImageWriter writer(&target, "png");
     if (!writer.write(picture)) {
         target.cancelWriting();
-        return fail(ErrorCode::NotWritten, file.toStdString() + ": cannot be written: " +
-                                               writer.errorString().toStdString());
+        return fail(ErrorCode::NotWritten,
+                    file.toStdString() + ": cannot be written: " + writer.errorString().toStdString());
     }
     if (!target.commit())
         return failure();

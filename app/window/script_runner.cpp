@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QMetaProperty>
 
@@ -103,14 +104,10 @@ Result<void> ScriptRunner::open(const QJsonObject& line)
     const QString address = text(line, "address");
     if (file.isEmpty() == address.isEmpty())
         return wrong(QStringLiteral("open needs one of \"file\" and \"address\""));
-    std::optional<Error> failed;
-    const auto connection = QObject::connect(&parts_.session, &ScanSession::faulted, &parts_,
-                                             [&](const Error& error) { failed = error; });
-    scan_.open(file.isEmpty() ? address : file);
-    waitUntil([&] { return failed || parts_.session.state() != SessionState::Connecting; }, kSettleTime);
-    QObject::disconnect(connection);
-    if (failed)
-        return tl::unexpected{*failed};
+    scan_.open(file.isEmpty() ? address : file, true);
+    waitUntil([&] { return parts_.fault || parts_.session.state() != SessionState::Connecting; }, kSettleTime);
+    if (parts_.fault)
+        return tl::unexpected{*parts_.fault};
     if (parts_.session.state() == SessionState::Empty)
         return wrong(QStringLiteral("%1 cannot be opened").arg(file.isEmpty() ? address : file));
     return {};
@@ -154,7 +151,8 @@ Result<void> ScriptRunner::select(const QJsonObject& line)
             return {};
         }
     }
-    return wrong(QStringLiteral("select needs the id of a \"plane\", or a \"segment\" as \"step.index\", that is there"));
+    return wrong(
+        QStringLiteral("select needs the id of a \"plane\", or a \"segment\" as \"step.index\", that is there"));
 }
 
 Result<void> ScriptRunner::trigger(const QJsonObject& line)
@@ -173,8 +171,8 @@ Result<void> ScriptRunner::trigger(const QJsonObject& line)
 Result<QObject*> ScriptRunner::objectOf(const QJsonObject& line)
 {
     const QString name = text(line, "object");
-    QObject* object = parts_.window->objectName() == name ? parts_.window.get()
-                                                          : parts_.window->findChild<QObject*>(name);
+    QObject* object =
+        parts_.window->objectName() == name ? parts_.window.get() : parts_.window->findChild<QObject*>(name);
     if (object == nullptr)
         return wrong(QStringLiteral("there is no object %1").arg(name));
     const QString property = text(line, "property");
@@ -191,8 +189,7 @@ Result<void> ScriptRunner::set(const QJsonObject& line)
     if (!(*object)->setProperty(text(line, "property").toUtf8().constData(),
                                 line.value(QLatin1String("value")).toVariant()))
         return wrong(QStringLiteral("%1 of %2 cannot be %3")
-                         .arg(text(line, "property"), text(line, "object"),
-                              shown(line.value(QLatin1String("value")))));
+                         .arg(text(line, "property"), text(line, "object"), shown(line.value(QLatin1String("value")))));
     settle();
     return {};
 }
@@ -235,8 +232,7 @@ Result<void> ScriptRunner::expect(const QJsonObject& line)
     const auto object = objectOf(line);
     if (!object)
         return tl::unexpected{object.error()};
-    const QJsonValue value =
-        QJsonValue::fromVariant((*object)->property(text(line, "property").toUtf8().constData()));
+    const QJsonValue value = QJsonValue::fromVariant((*object)->property(text(line, "property").toUtf8().constData()));
     const auto holds = [&](const char* key, auto compare) {
         const QJsonValue limit = line.value(QLatin1String(key));
         return limit.isUndefined() || compare(limit);

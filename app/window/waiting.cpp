@@ -3,8 +3,6 @@
 
 #include "app/window/waiting.h"
 
-#include <optional>
-
 #include <QDeadlineTimer>
 #include <QEventLoop>
 #include <QTimer>
@@ -30,9 +28,6 @@ bool waitUntil(const std::function<bool()>& holds, std::chrono::milliseconds tim
 
 Result<void> waitForRest(WindowParts& parts, std::chrono::milliseconds time)
 {
-    std::optional<Error> failed;
-    const auto connection = QObject::connect(&parts.session, &ScanSession::faulted, &parts,
-                                             [&](const Error& error) { failed = error; });
     const bool rested = waitUntil(
         [&] {
             const SessionState state = parts.session.state();
@@ -40,15 +35,14 @@ Result<void> waitForRest(WindowParts& parts, std::chrono::milliseconds time)
                                state == SessionState::Review || state == SessionState::ReadOnly ||
                                state == SessionState::Paused;
             const std::shared_ptr<const SessionMap> map = parts.session.map();
-            return failed || (rests && !parts.worker.isBusy() && parts.shown->snapshot == map->snapshot);
+            return parts.fault || (rests && !parts.worker.isBusy() && parts.shown->snapshot == map->snapshot);
         },
         time);
-    QObject::disconnect(connection);
-    if (failed)
-        return tl::unexpected{*failed};
+    if (parts.fault)
+        return tl::unexpected{*parts.fault};
     if (!rested)
-        return fail(ErrorCode::Internal, "The scan did not come to rest within " +
-                                             std::to_string(time.count() / 1000) + " s.");
+        return fail(ErrorCode::Internal,
+                    "The scan did not come to rest within " + std::to_string(time.count() / 1000) + " s.");
     return {};
 }
 

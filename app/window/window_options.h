@@ -23,10 +23,10 @@ struct WindowOptions {
     bool offscreen = false;
     std::string script;
     std::string screenshot;
-    int width = 1280;   ///< of the screenshot [pixels]
+    int width = 1280;  ///< of the screenshot [pixels]
     int height = 800;
     bool wholeWindow = false;
-    int step = -1;      ///< the last
+    int step = -1;  ///< the last
     std::optional<Theme> theme;
     double scale = 1.0;
     RendererChoice renderer = RendererChoice::Auto;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QObject>
 #include <QSettings>
@@ -63,6 +64,9 @@ public:
     MapWorker worker;
     /// What the window shows; never null.
     std::shared_ptr<const ShownMap> shown = std::make_shared<ShownMap>();
+
+    /// What went wrong since something was opened last.
+    std::optional<Error> fault;
 
     std::unique_ptr<MainWindow> window;
     PlanesPanel* planesPanel;

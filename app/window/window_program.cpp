@@ -12,15 +12,10 @@
 #include <QTimer>
 
 #include "app/cli/exit_code.h"
-#include "app/window/file_control.h"
-#include "app/window/measure_control.h"
-#include "app/window/plane_edits.h"
-#include "app/window/program_control.h"
-#include "app/window/scan_control.h"
 #include "app/window/screenshot.h"
 #include "app/window/script_runner.h"
-#include "app/window/view_control.h"
 #include "app/window/waiting.h"
+#include "app/window/window_controllers.h"
 #include "ui/models/preset_folder.h"
 #include "ui/theme/theme_follower.h"
 
@@ -78,8 +73,8 @@ int perform(const WindowOptions& options, WindowParts& parts, ScanControl& scan)
             return tell(rested.error());
     }
     const QSize size = options.wholeWindow ? QSize() : QSize(options.width, options.height);
-    const auto saved = savePicture(takePicture(parts, size, options.wholeWindow),
-                                   QString::fromStdString(options.screenshot));
+    const auto saved =
+        savePicture(takePicture(parts, size, options.wholeWindow), QString::fromStdString(options.screenshot));
     return saved ? 0 : tell(saved.error());
 }
 
@@ -99,8 +94,7 @@ int runWindow(const WindowOptions& options, int& argc, char** argv)
     // Numbers look alike everywhere, in the window as in files.
     QLocale::setDefault(QLocale::c());
 
-    const QString config =
-        QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/planewright";
+    const QString config = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/planewright";
     // Pictures and scripts must not depend on what somebody has set up.
     const bool plain = options.safeMode || options.offscreen;
     const QTemporaryDir scratch;
@@ -112,12 +106,8 @@ int runWindow(const WindowOptions& options, int& argc, char** argv)
 
     if (const auto presented = parts.window->view().present(presenterSettings(options)); !presented)
         return tell(presented.error());
-    ViewControl view(parts, follower);
-    ScanControl scan(parts);
-    PlaneEdits edits(parts);
-    MeasureControl measure(parts);
-    FileControl files(parts, scan);
-    ProgramControl program(parts);
+    WindowControllers controllers(parts, follower);
+    ScanControl& scan = controllers.scan;
     if (!plain)
         parts.window->restoreLayout(parts.settings);
     parts.window->beforeClose = [&] {

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "app/window/file_control.h"
+#include "app/window/measure_control.h"
+#include "app/window/plane_edits.h"
+#include "app/window/program_control.h"
+#include "app/window/scan_control.h"
+#include "app/window/view_control.h"
+
+namespace planewright {
+
+/// All that connects the window's parts.
+struct WindowControllers {
+    WindowControllers(WindowParts& parts, ThemeFollower& follower)
+        : view(parts, follower), scan(parts), edits(parts), measure(parts), files(parts, scan), program(parts)
+    {
+    }
+
+    ViewControl view;
+    ScanControl scan;
+    PlaneEdits edits;
+    MeasureControl measure;
+    FileControl files;
+    ProgramControl program;
+};
+
+}  // namespace planewright

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace planewright {
+
+/// The window program as scripts and users start it, without a display.
+class WindowProgramTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aScreenshotIsOfTheSizeAskedFor();
+    void theStepAskedForIsShown();
+    void aScriptWatchesARoomGrow();
+    void aScriptEndsAtTheFirstLineThatFails();
+    void linesOfAScriptThatMakeNoSenseAreNamed_data();
+    void linesOfAScriptThatMakeNoSenseAreNamed();
+    void eglDrawsTheSamePicture();
+    void badUsageIsToldBeforeAnythingOpens_data();
+    void badUsageIsToldBeforeAnythingOpens();
+    void aFileThatIsNoRecordingIsNamed();
+    void editsCanBeTakenBack();
+
+private:
+    struct Run {
+        int exitCode = -1;
+        QString out;
+        QString err;
+    };
+    Run run(const QStringList& arguments) const;
+    QString write(const QString& name, const QByteArray& text) const;
+    QString at(const QString& name) const { return folder_.filePath(name); }
+
+    QTemporaryDir folder_;
+};
+
+WindowProgramTest::Run WindowProgramTest::run(const QStringList& arguments) const
+{
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("DISPLAY"));
+    environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
+    program.setProcessEnvironment(environment);
+    program.start(QStringLiteral(PLANEWRIGHT_WINDOW_PROGRAM), QStringList{QStringLiteral("--offscreen")} + arguments);
+    if (!program.waitForFinished(300'000)) {
+        program.kill();
+        program.waitForFinished();
+        return {-2, {}, QStringLiteral("does not end")};
+    }
+    return {program.exitCode(), QString::fromUtf8(program.readAllStandardOutput()),
+            QString::fromUtf8(program.readAllStandardError())};
+}
+
+QString WindowProgramTest::write(const QString& name, const QByteArray& text) const
+{
+    QFile file(at(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+        qFatal("cannot write %s", qPrintable(file.fileName()));
+    return file.fileName();
+}
+
+void WindowProgramTest::aScreenshotIsOfTheSizeAskedFor()
+{
+    const Run done = run({"sim:corridor?seed=7&speed=0", "--screenshot", at("a.png"), "--size", "700x500"});
+
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    const QImage picture(at("a.png"));
+    QCOMPARE(picture.size(), QSize(700, 500));
+    QCOMPARE(picture.text("Step"), QString("136"));
+    QVERIFY(picture.text("Parameters").contains("method.estimator="));
+    QVERIFY(!picture.text("Camera").isEmpty());
+}
+
+void WindowProgramTest::theStepAskedForIsShown()
+{
+    const Run done =
+        run({"sim:corridor?seed=7&speed=0", "--screenshot", at("b.png"), "--size", "320x240", "--step", "6"});
+
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    QCOMPARE(QImage(at("b.png")).text("Step"), QString("6"));
+}
+
+void WindowProgramTest::aScriptWatchesARoomGrow()
+{
+    const QString script = write("grow.ndjson", R"({"do":"open","address":"sim:corridor?seed=7&speed=0"}
+{"do":"wait","state":"review","timeout":120}
+{"do":"expect","object":"view3d","property":"visible","equals":true}
+{"do":"goto","step":4}
+{"do":"select","plane":0}
+{"do":"action","name":"actViewTop"}
+{"do":"screenshot","file":")" + at("c.png").toUtf8() +
+                                                    R"(","size":"400x300"}
+{"do":"quit"}
+)");
+
+    const Run done = run({"--script", script});
+
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    QCOMPARE(QImage(at("c.png")).text("Step"), QString("4"));
+}
+
+void WindowProgramTest::aScriptEndsAtTheFirstLineThatFails()
+{
+    const QString script =
+        write("fail.ndjson", R"({"do":"expect","object":"mainWindow","property":"visible","equals":true}
+{"do":"expect","object":"mainWindow","property":"visible","equals":false}
+{"do":"screenshot","file":")" + at("never.png").toUtf8() +
+                                 R"("}
+)");
+
+    const Run done = run({"--script", script});
+
+    QCOMPARE(done.exitCode, 8);
+    QVERIFY2(done.err.contains("fail.ndjson:2: visible of mainWindow is true"), qPrintable(done.err));
+    QVERIFY(!QFile::exists(at("never.png")));
+}
+
+void WindowProgramTest::linesOfAScriptThatMakeNoSenseAreNamed_data()
+{
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("no JSON") << QByteArray("open it") << "no JSON object";
+    QTest::newRow("unknown action") << QByteArray(R"({"do":"dance"})") << R"("do" is "dance")";
+    QTest::newRow("no such action of the window")
+        << QByteArray(R"({"do":"action","name":"actNothing"})") << "there is no action actNothing";
+    QTest::newRow("an action that is not possible")
+        << QByteArray(R"({"do":"action","name":"actFinish"})") << "actFinish is not possible now";
+    QTest::newRow("no such object") << QByteArray(R"({"do":"expect","object":"x","property":"y"})")
+                                    << "there is no object x";
+    QTest::newRow("no such property") << QByteArray(R"({"do":"set","object":"view3d","property":"y","value":1})")
+                                      << "has no property y";
+    QTest::newRow("unknown state") << QByteArray(R"({"do":"wait","state":"bored"})") << "there is no state bored";
+    QTest::newRow("plane that is not there") << QByteArray(R"({"do":"select","plane":99})") << "there is no plane 99";
+    QTest::newRow("size") << QByteArray(R"({"do":"screenshot","file":"a.png","size":"9"})") << "\"size\" is like";
+    QTest::newRow("no picture") << QByteArray(R"({"do":"screenshot","file":"a.txt"})") << "written as .png";
+    QTest::newRow("file that is not there")
+        << QByteArray(R"({"do":"open","file":"/nowhere/a.csv"})") << "/nowhere/a.csv";
+}
+
+void WindowProgramTest::linesOfAScriptThatMakeNoSenseAreNamed()
+{
+    QFETCH(QByteArray, line);
+    QFETCH(QString, said);
+
+    const Run done = run({"--script", write("odd.ndjson", line + "\n")});
+
+    QCOMPARE(done.exitCode, 8);
+    QVERIFY2(done.err.contains("odd.ndjson:1: ") && done.err.contains(said), qPrintable(done.err));
+}
+
+void WindowProgramTest::eglDrawsTheSamePicture()
+{
+    const QStringList what{"sim:twelve?seed=1&speed=0", "--size", "320x240"};
+    const Run osmesa = run(what + QStringList{"--screenshot", at("osmesa.png"), "--renderer", "osmesa"});
+    const Run egl = run(what + QStringList{"--screenshot", at("egl.png"), "--renderer", "egl"});
+
+    QVERIFY2(osmesa.exitCode == 0, qPrintable(osmesa.err));
+    if (egl.exitCode == 9)
+        QSKIP("there is no EGL without a surface here: libegl1 and libgl1-mesa-dri are not installed");
+    QVERIFY2(egl.exitCode == 0, qPrintable(egl.err));
+    QCOMPARE(QImage(at("egl.png")), QImage(at("osmesa.png")));
+}
+
+void WindowProgramTest::badUsageIsToldBeforeAnythingOpens_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("size") << QStringList{"--size", "12by9"};
+    QTest::newRow("huge size") << QStringList{"--size", "100000x100"};
+    QTest::newRow("theme") << QStringList{"--theme", "pink"};
+    QTest::newRow("renderer") << QStringList{"--renderer", "pencil"};
+    QTest::newRow("renderer that needs a display") << QStringList{"--renderer", "gl"};
+    QTest::newRow("step") << QStringList{"--step", "-3"};
+    QTest::newRow("unknown") << QStringList{"--frobnicate"};
+}
+
+void WindowProgramTest::badUsageIsToldBeforeAnythingOpens()
+{
+    QFETCH(QStringList, arguments);
+
+    const Run done = run(arguments);
+
+    QCOMPARE(done.exitCode, 2);
+    QVERIFY(!done.err.isEmpty());
+}
+
+void WindowProgramTest::aFileThatIsNoRecordingIsNamed()
+{
+    const Run done = run({write("odd.csv", "this is no recording\n"), "--screenshot", at("no.png")});
+
+    QCOMPARE(done.exitCode, 3);
+    QVERIFY2(done.err.contains("odd.csv"), qPrintable(done.err));
+    QVERIFY(!QFile::exists(at("no.png")));
+}
+
+void WindowProgramTest::editsCanBeTakenBack()
+{
+    const QString script = write("edit.ndjson", R"({"do":"open","address":"sim:corridor?seed=7&speed=0"}
+{"do":"wait","state":"review","timeout":120}
+{"do":"expect","object":"actUndo","property":"enabled","equals":false}
+{"do":"select","plane":0}
+{"do":"action","name":"actDelete"}
+{"do":"expect","object":"actUndo","property":"enabled","equals":true}
+{"do":"action","name":"actUndo"}
+{"do":"expect","object":"actUndo","property":"enabled","equals":false}
+{"do":"expect","object":"actRedo","property":"enabled","equals":true}
+)");
+
+    const Run done = run({"--script", script});
+
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::WindowProgramTest)
+#include "window_program_test.moc"

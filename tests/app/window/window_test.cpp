@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <sstream>
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QTableView>
+#include <QtTest>
+
+#include "app/window/exports.h"
+#include "app/window/screenshot.h"
+#include "app/window/waiting.h"
+#include "app/window/window_controllers.h"
+#include "core/formats/planes_csv.h"
+#include "core/pipeline/apply_edits.h"
+#include "core/pipeline/plane_extractor.h"
+#include "tests/ui/view3d/reference_image.h"
+#include "ui/panels/filtered_table.h"
+#include "ui/theme/theme.h"
+
+namespace planewright {
+
+/// The whole window, driven by its widgets: somebody sits before it.
+class WindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void theFirstPageShowsPlanesAfterOneClick();
+    void aScanIsHeldSteppedAndFinished();
+    void stoppingWorksInEveryState();
+    void aClickInTheTableSelectsInTheViewAndBack();
+    void namesAreTypedInTheTableAndTakenBack();
+    void theFilterKeepsWhatItAsksFor();
+    void hidingTakesThePlaneOutOfThePicture();
+    void shortcutsOfLettersWorkInTheViewOnly();
+    void exportsAreTheBytesOfTheCommandLine();
+    void measurementsComeFromClicks();
+    void layersFollowMenuAndPanel();
+    void anUnknownSceneIsToldInABanner();
+    void aChangeOfParametersHoldsFromTheNextStepOn();
+    void everyActionHasAWordATipAndAName();
+    void wholeWindowsAreAsTheyWere_data();
+    void wholeWindowsAreAsTheyWere();
+
+private:
+    void openCorridor();
+    QAction* action(const char* name) { return parts_->window->actions()[QLatin1String(name)]; }
+    QTableView* table() { return parts_->planesPanel->table()->view(); }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<ThemeFollower> follower_;
+    std::unique_ptr<WindowParts> parts_;
+    std::unique_ptr<WindowControllers> controllers_;
+};
+
+namespace {
+
+constexpr std::chrono::seconds kPatience{120};
+
+}  // namespace
+
+void WindowTest::initTestCase()
+{
+    QLocale::setDefault(QLocale::c());
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(12);
+    QApplication::setFont(font);
+}
+
+void WindowTest::init()
+{
+    follower_ = std::make_unique<ThemeFollower>();
+    SessionOptions options;
+    parts_ = std::make_unique<WindowParts>(std::move(options), folder_.filePath("settings.ini"));
+    parts_->preferences.theme = ThemeChoice::Light;
+    PresenterSettings presenter;
+    presenter.image = QGuiApplication::platformName() == QLatin1String("offscreen");
+    const auto presented = parts_->window->view().present(presenter);
+    QVERIFY2(presented, presented ? "" : presented.error().message.c_str());
+    controllers_ = std::make_unique<WindowControllers>(*parts_, *follower_);
+    parts_->window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(parts_->window.get()));
+}
+
+void WindowTest::cleanup()
+{
+    parts_->session.close();
+    controllers_.reset();
+    parts_.reset();
+    QFile::remove(folder_.filePath("settings.ini"));
+}
+
+void WindowTest::openCorridor()
+{
+    controllers_->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0"), true);
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
+    QVERIFY(waitForRest(*parts_, kPatience));
+    QVERIFY(parts_->shown->planes.size() > 5);
+}
+
+void WindowTest::theFirstPageShowsPlanesAfterOneClick()
+{
+    QVERIFY(parts_->window->showsWelcome());
+    auto* play = parts_->window->findChild<QPushButton*>(QStringLiteral("welcomeSample"));
+
+    QTest::mouseClick(play, Qt::LeftButton);
+
+    QVERIFY(!parts_->window->showsWelcome());
+    QVERIFY(waitUntil([this] { return !parts_->shown->planes.empty(); }, kPatience));
+}
+
+void WindowTest::aScanIsHeldSteppedAndFinished()
+{
+    controllers_->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0.5"), true);
+    QVERIFY(waitUntil([this] { return parts_->shown->step >= 2; }, kPatience));
+
+    action("actPause")->trigger();
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Paused; }, kPatience));
+    QVERIFY(waitForRest(*parts_, kPatience));
+    const int held = parts_->session.map()->step;
+    QVERIFY(action("actStep")->isEnabled());
+    action("actStep")->trigger();
+    QVERIFY(waitUntil([&] { return parts_->session.map()->step == held + 1; }, kPatience));
+    QTest::qWait(200);
+    QCOMPARE(parts_->session.map()->step, held + 1);
+
+    action("actFinish")->trigger();
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
+    QVERIFY(waitForRest(*parts_, kPatience));
+    QVERIFY(parts_->shown->finished);
+    QCOMPARE(parts_->shown->step, held + 1);
+}
+
+void WindowTest::stoppingWorksInEveryState()
+{
+    QVERIFY(action("actStopMotion")->isEnabled());
+    action("actStopMotion")->trigger();
+
+    controllers_->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0.2"), true);
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Scanning; }, kPatience));
+    action("actStopMotion")->trigger();
+
+    QVERIFY(waitUntil([this] { return parts_->session.state() != SessionState::Scanning; }, kPatience));
+    QVERIFY(action("actStopMotion")->isEnabled());
+}
+
+void WindowTest::aClickInTheTableSelectsInTheViewAndBack()
+{
+    openCorridor();
+    const QModelIndex first = table()->model()->index(0, static_cast<int>(PlaneColumn::Id));
+    QTest::mouseClick(table()->viewport(), Qt::LeftButton, {}, table()->visualRect(first).center());
+
+    QCOMPARE(parts_->selection.planes().size(), std::size_t(1));
+    QCOMPARE(parts_->window->view().scene().selection().planes, parts_->selection.planes());
+
+    parts_->window->view().showNamed(NamedView::Top);
+    QTest::mouseClick(&parts_->window->view(), Qt::LeftButton, {}, parts_->window->view().rect().center());
+    QCOMPARE(parts_->selection.planes().size(), std::size_t(1));
+    const QModelIndexList rows = table()->selectionModel()->selectedRows();
+    QCOMPARE(rows.size(), 1);
+}
+
+void WindowTest::namesAreTypedInTheTableAndTakenBack()
+{
+    openCorridor();
+    const PlaneId plane = parts_->shown->planes.front().plane->id;
+    parts_->selection.select({plane});
+
+    action("actRename")->trigger();
+    auto* editor = table()->findChild<QLineEdit*>();
+    QVERIFY(editor != nullptr);
+    QTest::keyClicks(editor, "North wall");
+    QTest::keyClick(editor, Qt::Key_Return);
+
+    QVERIFY(waitUntil([this] { return parts_->shown->planes.front().name == "North wall"; }, kPatience));
+    action("actUndo")->trigger();
+    QVERIFY(waitUntil([this] { return parts_->shown->planes.front().name.empty(); }, kPatience));
+    action("actRedo")->trigger();
+    QVERIFY(waitUntil([this] { return parts_->shown->planes.front().name == "North wall"; }, kPatience));
+}
+
+void WindowTest::theFilterKeepsWhatItAsksFor()
+{
+    openCorridor();
+    const auto walls = std::count_if(parts_->shown->planes.begin(), parts_->shown->planes.end(),
+                                     [](const ShownPlane& plane) { return plane.className == "wall"; });
+    QVERIFY(walls > 0 && static_cast<std::size_t>(walls) < parts_->shown->planes.size());
+
+    action("actFindPlane")->trigger();
+    QWidget* filter = QApplication::focusWidget();
+    QVERIFY(filter != nullptr);
+    QTest::keyClicks(filter, "class:wall");
+
+    QTRY_COMPARE(table()->model()->rowCount(), static_cast<int>(walls));
+}
+
+void WindowTest::hidingTakesThePlaneOutOfThePicture()
+{
+    openCorridor();
+    const auto& planes = parts_->shown->planes;
+    const auto largest = std::max_element(
+        planes.begin(), planes.end(), [](const auto& a, const auto& b) { return a.plane->points < b.plane->points; });
+    parts_->selection.select({largest->plane->id});
+    parts_->window->view().scene().update();
+    const std::size_t before = parts_->window->view().scene().points().points();
+
+    action("actHide")->trigger();
+    QVERIFY(waitForRest(*parts_, kPatience));
+    QVERIFY(waitUntil(
+        [this] {
+            return std::any_of(parts_->shown->planes.begin(), parts_->shown->planes.end(),
+                               [](const ShownPlane& plane) { return plane.hidden; });
+        },
+        kPatience));
+
+    parts_->window->view().scene().update();
+    QVERIFY(parts_->window->view().scene().points().points() < before);
+    action("actShowAll")->trigger();
+    QVERIFY(waitUntil(
+        [this] {
+            return std::none_of(parts_->shown->planes.begin(), parts_->shown->planes.end(),
+                                [](const ShownPlane& plane) { return plane.hidden; });
+        },
+        kPatience));
+}
+
+void WindowTest::shortcutsOfLettersWorkInTheViewOnly()
+{
+    openCorridor();
+    parts_->window->activateWindow();
+    parts_->window->view().setFocus();
+    const bool shown = parts_->layers[Layer::Points].visible;
+
+    QTest::keyClick(&parts_->window->view(), Qt::Key_P);
+    QCOMPARE(parts_->layers[Layer::Points].visible, !shown);
+
+    action("actFindPlane")->trigger();
+    QWidget* filter = QApplication::focusWidget();
+    QTest::keyClick(filter, Qt::Key_P);
+    QCOMPARE(parts_->layers[Layer::Points].visible, !shown);
+}
+
+void WindowTest::exportsAreTheBytesOfTheCommandLine()
+{
+    openCorridor();
+    const QString file = folder_.filePath("planes.csv");
+
+    const auto done = exportScan(*parts_, ExportKind::Planes, file);
+
+    QVERIFY2(done, done ? "" : done.error().message.c_str());
+    // The same slices in one go, as the command line extracts them.
+    const SessionMap& map = *parts_->session.map();
+    const Parameters& parameters = parts_->session.parameters();
+    PlaneExtractor extractor(map.sensor, parameters);
+    for (const SharedSlice& slice : map.slices)
+        extractor.advance(*slice);
+    const auto snapshot = extractor.finish();
+    const EditedPlanes planes = applyEdits(*snapshot, {}, parts_->session.description(), parameters);
+    std::ostringstream expected;
+    QVERIFY(writePlanesCsv(expected, planeResults(planes.planes, snapshot->segments)));
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(written.readAll().toStdString(), expected.str());
+}
+
+void WindowTest::measurementsComeFromClicks()
+{
+    openCorridor();
+    View3d& view = parts_->window->view();
+    view.showNamed(NamedView::Top);
+    action("actMeasureDistance")->setChecked(true);
+
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.rect().center());
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.rect().center() + QPoint(0, 40));
+
+    QCOMPARE(parts_->measurements.rowCount(), 1);
+    QVERIFY(*parts_->measurements.at(0).distance > 0.1);
+}
+
+void WindowTest::layersFollowMenuAndPanel()
+{
+    action("actLayerClusters")->setChecked(false);
+    QVERIFY(!parts_->layersPanel->settings()[Layer::Clusters].visible);
+    QVERIFY(!parts_->window->view().scene().layers()[Layer::Clusters].visible);
+
+    LayerSettings changed = parts_->layersPanel->settings();
+    changed[Layer::Clusters].visible = true;
+    emit parts_->layersPanel->settingsChanged(changed);
+    QVERIFY(action("actLayerClusters")->isChecked());
+}
+
+void WindowTest::anUnknownSceneIsToldInABanner()
+{
+    controllers_->scan.open(QStringLiteral("sim:palace"), true);
+
+    QTRY_VERIFY(parts_->window->banner().isVisible());
+    QVERIFY(parts_->window->banner().text().contains("palace"));
+    QVERIFY(parts_->window->banner().text().contains("corridor"));
+}
+
+void WindowTest::aChangeOfParametersHoldsFromTheNextStepOn()
+{
+    openCorridor();
+    const std::size_t before = parts_->shown->planes.size();
+
+    QVERIFY(parts_->parameters.setText("planes.min-extent", "3").isEmpty());
+    QVERIFY(action("actRerun")->isEnabled());
+    const auto snapshot = parts_->shown->snapshot;
+    action("actRerun")->trigger();
+    QVERIFY(waitUntil([&] { return parts_->shown->snapshot != snapshot; }, kPatience));
+    QVERIFY(waitForRest(*parts_, kPatience));
+
+    QVERIFY(parts_->shown->planes.size() < before);
+}
+
+void WindowTest::everyActionHasAWordATipAndAName()
+{
+    QSet<QString> names;
+    QSet<QString> shortcuts;
+    for (const QAction* each : parts_->window->actions().all()) {
+        QVERIFY(!each->text().isEmpty());
+        QVERIFY2(!each->statusTip().isEmpty(), qPrintable(each->objectName()));
+        QVERIFY(each->objectName().startsWith("act"));
+        QVERIFY2(!names.contains(each->objectName()), qPrintable(each->objectName()));
+        names.insert(each->objectName());
+        for (const QKeySequence& keys : each->shortcuts()) {
+            QVERIFY2(!shortcuts.contains(keys.toString()), qPrintable(keys.toString()));
+            shortcuts.insert(keys.toString());
+        }
+    }
+    QCOMPARE(action("actStopMotion")->shortcuts().size(), 2);
+}
+
+void WindowTest::wholeWindowsAreAsTheyWere_data()
+{
+    QTest::addColumn<bool>("dark");
+    QTest::addColumn<bool>("scanned");
+    QTest::newRow("window-light") << false << true;
+    QTest::newRow("window-dark") << true << true;
+    QTest::newRow("window-welcome-light") << false << false;
+    QTest::newRow("window-welcome-dark") << true << false;
+}
+
+void WindowTest::wholeWindowsAreAsTheyWere()
+{
+    QFETCH(bool, dark);
+    QFETCH(bool, scanned);
+    parts_->preferences.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
+    emit parts_->preferencesChanged();
+    parts_->window->resize(1440, 900);
+    if (scanned) {
+        openCorridor();
+        parts_->selection.select({parts_->shown->planes[1].plane->id});
+        // What depends on the machine is not compared.
+        for (const char* item : {"stDevice", "stStep", "stQueue", "stRec", "stMessage"})
+            parts_->window->setStatus(QLatin1String(item), QLatin1String(item));
+    }
+    parts_->logModel.clear();
+    QTest::qWait(400);
+
+    const QString difference =
+        differenceFromReference(takePicture(*parts_, {}, true), QString::fromLatin1(QTest::currentDataTag()));
+
+    QVERIFY2(difference.isEmpty(), qPrintable(difference));
+}
+
+}  // namespace planewright
+
+QTEST_MAIN(planewright::WindowTest)
+#include "window_test.moc"
