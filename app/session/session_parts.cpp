@@ -96,6 +96,7 @@ void SessionParts::onOpened(Result<OpenedSource>& result)
     for (const std::string& warning : opened.warnings)
         log(LogLevel::Warning, warning);
     emit session.parametersChanged();
+    emit session.projectChanged();
     const bool isReadOnly = opened.project && !opened.project->readOnlyBecause().empty();
     if (isReadOnly)
         log(LogLevel::Warning, opened.project->readOnlyBecause());
@@ -134,6 +135,7 @@ void SessionParts::startScan()
         parameters = {{0, parameters.back().parameters}};
         opened.project.reset();
         opened.edits.clear();
+        emit session.projectChanged();
     }
     auto next = std::make_unique<SessionRun>([this](const ScanEvents& events) {
         auto work = std::make_unique<ScanPipeline>(ScanPlan{opened.source, recorder(), parameters, options.explain},
@@ -271,6 +273,7 @@ void SessionParts::openRecorded()
     }
     opened.project = std::move(*project);
     opened.scan = 1;
+    emit session.projectChanged();
 }
 
 void SessionParts::forget()
@@ -288,6 +291,7 @@ void SessionParts::forget()
     shownStep.reset();
     showMap();
     emit session.historyChanged(0);
+    emit session.projectChanged();
 }
 
 SessionStatus SessionParts::status() const

@@ -43,7 +43,7 @@ void MeasureControl::begin(Kind kind, bool on)
     }
     parts_.window->view().setMeasuring(true);
     parts_.window->showBottomPanel(QStringLiteral("measurePanel"));
-    parts_.say(kind == Kind::Planes ? tr("Click two planes.")
+    parts_.say(kind == Kind::Planes   ? tr("Click two planes.")
                : kind == Kind::Points ? tr("Click two points.")
                                       : tr("Click a point, then a plane."));
 }

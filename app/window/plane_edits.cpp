@@ -112,8 +112,9 @@ void PlaneEdits::refresh()
     WindowActions& actions = parts_.window->actions();
     const std::size_t count = parts_.selection.planes().size();
     for (const char* name : {"actHide", "actIsolate", "actLock", "actDelete", "actViewFitSelection"})
-        actions[QLatin1String(name)]->setEnabled(count > 0 || (QLatin1String(name) == QLatin1String("actViewFitSelection") &&
-                                                               !parts_.selection.segments().empty()));
+        actions[QLatin1String(name)]->setEnabled(
+            count > 0 ||
+            (QLatin1String(name) == QLatin1String("actViewFitSelection") && !parts_.selection.segments().empty()));
     actions[QStringLiteral("actRename")]->setEnabled(count == 1);
     actions[QStringLiteral("actSplit")]->setEnabled(count == 1);
     actions[QStringLiteral("actMerge")]->setEnabled(count >= 2);

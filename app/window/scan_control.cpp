@@ -73,9 +73,7 @@ void ScanControl::connectActions()
     on("actFinish", [this, &session] { act(session.finish()); });
     on("actStopMotion", [this, &session] { act(session.stopMotion()); });
     on("actRerun", [this, &session] { act(session.rerun()); });
-    on("actNewSimulated", [this] {
-        open(QString::fromStdString(addressOf(parts_.sourcePanel->simulation())), true);
-    });
+    on("actNewSimulated", [this] { open(QString::fromStdString(addressOf(parts_.sourcePanel->simulation())), true); });
     QAction* record = actions[QStringLiteral("actRecord")];
     record->setChecked(parts_.settings.value(QStringLiteral("scan/record"), false).toBool());
     const auto applyRecord = [this](bool on) {
@@ -88,12 +86,12 @@ void ScanControl::connectActions()
         parts_.settings.setValue(QStringLiteral("scan/record"), on);
     };
     connect(record, &QAction::toggled, this, applyRecord);
-    connect(&parts_, &WindowParts::preferencesChanged, this, [record, applyRecord] { applyRecord(record->isChecked()); });
+    connect(&parts_, &WindowParts::preferencesChanged, this,
+            [record, applyRecord] { applyRecord(record->isChecked()); });
     applyRecord(record->isChecked());
 
-    connect(parts_.sourcePanel, &SourcePanel::simulationRequested, this, [this](const SimulationSetup& setup) {
-        open(QString::fromStdString(addressOf(setup)), true);
-    });
+    connect(parts_.sourcePanel, &SourcePanel::simulationRequested, this,
+            [this](const SimulationSetup& setup) { open(QString::fromStdString(addressOf(setup)), true); });
     connect(parts_.sourcePanel, &SourcePanel::openRequested, this, [this](const QString& address) { open(address); });
     connect(parts_.window.get(), &MainWindow::openRequested, this,
             [this](const QString& address) { open(address, true); });
@@ -163,7 +161,8 @@ void ScanControl::showRecent()
     QMenu* menu = parts_.window->actions().submenu(QStringLiteral("recent"));
     menu->clear();
     for (const QString& file : recent)
-        connect(menu->addAction(QDir::toNativeSeparators(file)), &QAction::triggered, this, [this, file] { open(file); });
+        connect(menu->addAction(QDir::toNativeSeparators(file)), &QAction::triggered, this,
+                [this, file] { open(file); });
     menu->setEnabled(!recent.isEmpty());
 }
 
@@ -234,9 +233,10 @@ void ScanControl::refreshOverlay()
         for (const auto& slice : map.slices)
             points += slice->ranges.size();
         const QLocale c = QLocale::c();
-        content.facts = {tr("points %1").arg(c.toString(static_cast<qulonglong>(points))),
-                         tr("segments %1").arg(c.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
-                         tr("planes %1").arg(map.planes.size())};
+        content.facts = {
+            tr("points %1").arg(c.toString(static_cast<qulonglong>(points))),
+            tr("segments %1").arg(c.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
+            tr("planes %1").arg(map.planes.size())};
     }
     if (state == SessionState::Ready && !map.snapshot)
         content.hint = tr("Press F5 to scan %1 steps, about %2 s.")
@@ -248,10 +248,12 @@ void ScanControl::refreshOverlay()
 void ScanControl::takeStatus(const SessionStatus& status)
 {
     MainWindow& window = *parts_.window;
-    window.setStatus(QStringLiteral("stDevice"),
-                     status.source.empty() ? tr("no source")
-                                           : tr("● %1  %2/s").arg(QString::fromStdString(status.source)).arg(status.slicesPerSecond, 0, 'f', 1),
-                     tr("Source and its slices per second"));
+    window.setStatus(
+        QStringLiteral("stDevice"),
+        status.source.empty()
+            ? tr("no source")
+            : tr("● %1  %2/s").arg(QString::fromStdString(status.source)).arg(status.slicesPerSecond, 0, 'f', 1),
+        tr("Source and its slices per second"));
     window.setStatus(QStringLiteral("stLoss"), tr("lost %1").arg(status.lost), tr("Steps that were passed over"),
                      status.lost > 0);
     window.setStatus(QStringLiteral("stQueue"), tr("queue %1").arg(status.queueDepth),

@@ -15,14 +15,13 @@ namespace planewright {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, Layer>, kLayers> kLayerActions{
-    {{"actLayerPoints", Layer::Points},
-     {"actLayerSegments", Layer::FittedSegments},
-     {"actLayerClusters", Layer::Clusters},
-     {"actLayerPlanes", Layer::Planes},
-     {"actLayerUnfitted", Layer::Unfitted},
-     {"actLayerUncertainty", Layer::Uncertainty},
-     {"actLayerSensor", Layer::Sensor}}};
+constexpr std::array<std::pair<const char*, Layer>, kLayers> kLayerActions{{{"actLayerPoints", Layer::Points},
+                                                                            {"actLayerSegments", Layer::FittedSegments},
+                                                                            {"actLayerClusters", Layer::Clusters},
+                                                                            {"actLayerPlanes", Layer::Planes},
+                                                                            {"actLayerUnfitted", Layer::Unfitted},
+                                                                            {"actLayerUncertainty", Layer::Uncertainty},
+                                                                            {"actLayerSensor", Layer::Sensor}}};
 
 }  // namespace
 
@@ -60,8 +59,8 @@ std::optional<ViewCamera> ViewControl::cameraOf(const QString& text)
     }
     if (!(numbers[3] > 0.0) || !(numbers[6] > 0.01) || !(numbers[6] < 3.0))
         return std::nullopt;
-    return ViewCamera{{numbers[0], numbers[1], numbers[2]}, numbers[3], numbers[4], numbers[5], numbers[6],
-                      numbers[7] != 0.0};
+    return ViewCamera{
+        {numbers[0], numbers[1], numbers[2]}, numbers[3], numbers[4], numbers[5], numbers[6], numbers[7] != 0.0};
 }
 
 void ViewControl::connectCameras()
@@ -99,25 +98,23 @@ void ViewControl::connectCameras()
         });
     }
     connect(&view, &View3d::pointerMoved, this, [this](const std::optional<Eigen::Vector3d>& place) {
-        parts_.window->setStatus(QStringLiteral("stCoord"),
-                                 place ? QStringLiteral("X %1 Y %2 Z %3 m")
-                                             .arg(place->x(), 0, 'f', 3)
-                                             .arg(place->y(), 0, 'f', 3)
-                                             .arg(place->z(), 0, 'f', 3)
-                                       : QString());
+        parts_.window->setStatus(QStringLiteral("stCoord"), place ? QStringLiteral("X %1 Y %2 Z %3 m")
+                                                                        .arg(place->x(), 0, 'f', 3)
+                                                                        .arg(place->y(), 0, 'f', 3)
+                                                                        .arg(place->z(), 0, 'f', 3)
+                                                                  : QString());
     });
 }
 
 void ViewControl::connectLayers()
 {
     for (const auto& [name, layer] : kLayerActions) {
-        connect(parts_.window->actions()[QLatin1String(name)], &QAction::toggled, this,
-                [this, layer = layer](bool on) {
-                    if (parts_.layers[layer].visible == on)
-                        return;
-                    parts_.layers[layer].visible = on;
-                    applyLayers();
-                });
+        connect(parts_.window->actions()[QLatin1String(name)], &QAction::toggled, this, [this, layer = layer](bool on) {
+            if (parts_.layers[layer].visible == on)
+                return;
+            parts_.layers[layer].visible = on;
+            applyLayers();
+        });
     }
     connect(parts_.layersPanel, &LayersPanel::settingsChanged, this, [this](const LayerSettings& settings) {
         const PlanePalette palette = parts_.layers.palette;

@@ -13,8 +13,10 @@
 namespace planewright {
 
 WindowParts::WindowParts(SessionOptions options, const QString& settingsFile)
-    : settings(settingsFile, QSettings::IniFormat), preferences(loadPreferences(settings)),
-      session(std::move(options)), window(std::make_unique<MainWindow>())
+    : settings(settingsFile, QSettings::IniFormat),
+      preferences(loadPreferences(settings)),
+      session(std::move(options)),
+      window(std::make_unique<MainWindow>())
 {
     layers.palette = preferences.palette;
     makePanels();
