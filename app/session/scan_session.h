@@ -58,7 +58,7 @@ public:
     /// For the steps to come; they are recorded. Of a scan that is over: for the next rerun().
     Result<void> setParameters(const Parameters& parameters);
     /// Extracts the whole scan once more with parameters(); the result takes the place of the present one when it is
-    /// complete, and cancel() keeps that.
+    /// complete, and cancel() keeps that. Of a `.pwscan` the parameters are then stored in it.
     Result<void> rerun();
     /// 1 is real time, 0 as fast as possible; also for the next start().
     Result<void> setSpeed(double speed);

@@ -252,6 +252,8 @@ void SessionParts::onEnded()
     if (rerunHistory_) {
         if (!rerunCancelled_) {
             history = std::move(*rerunHistory_);
+            parameters = {{0, parameters.back().parameters}};
+            storeParameters();
             emit session.historyChanged(static_cast<int>(history.steps().size()));
         }
         rerunHistory_.reset();
@@ -259,6 +261,16 @@ void SessionParts::onEnded()
     openRecorded();
     showMap();
     happen(isEmpty ? SessionHappening::CaughtUpEmpty : SessionHappening::CaughtUp);
+}
+
+/// What is extracted from the file from now on is what is shown.
+void SessionParts::storeParameters()
+{
+    if (!opened.project)
+        return;
+    const Result<void> stored = opened.project->appendParameters(opened.scan, parameters.back().parameters);
+    if (!stored)
+        tellFault(stored.error());
 }
 
 /// From now on edits go into the file that the scan was recorded into.
