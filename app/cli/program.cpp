@@ -53,8 +53,8 @@ ExitCode runProgram(int argc, char** argv)
     program.set_version_flag("--version", "planewright-cli " PLANEWRIGHT_VERSION);
     program.require_subcommand(1);
     Command command;
-    for (const auto add : {addExtractCommand, addCalibrateCommand, addSimulateCommand, addConvertCommand,
-                           addInfoCommand, addValidateCommand, addCompareCommand, addParamsCommand})
+    for (const auto add : {addExtractCommand, addCalibrateCommand, addSimulateCommand, addRecordCommand,
+                           addConvertCommand, addInfoCommand, addValidateCommand, addCompareCommand, addParamsCommand})
         add(program, command);
     refuseEmptyValues(program);
     Result<ExitCode> code = ExitCode::Done;

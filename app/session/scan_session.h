@@ -58,7 +58,7 @@ public:
     /// For the steps to come; they are recorded. Of a scan that is over: for the next rerun().
     Result<void> setParameters(const Parameters& parameters);
     /// Extracts the whole scan once more with parameters(); the result takes the place of the present one when it is
-    /// complete, and cancel() keeps that.
+    /// complete, and cancel() keeps that. Of a `.pwscan` the parameters are then stored in it.
     Result<void> rerun();
     /// 1 is real time, 0 as fast as possible; also for the next start().
     Result<void> setSpeed(double speed);
@@ -87,8 +87,8 @@ public:
     const ScanDescription& description() const;
     /// The address or file that is open; empty without one.
     const std::string& address() const;
-    /// The `.pwscan` that edits go into: the one that was opened, or that the scan was recorded into. Null without one.
-    /// Used in the session's thread.
+    /// The `.pwscan` that edits go into: the one that was opened, or that the scan was recorded into, once it is over.
+    /// Null without one. Used in the session's thread, until projectChanged().
     PwscanProject* project();
     /// The scan's number in it.
     int scanInProject() const;
@@ -103,6 +103,8 @@ signals:
     void historyChanged(int steps);
     void statusChanged(const planewright::SessionStatus& status);
     void parametersChanged();
+    /// project(), scanInProject() and storedEdits() are others; the project before is gone.
+    void projectChanged();
     /// Something failed that nobody asked for: what it was, what is safe, what to do.
     void faulted(const planewright::Error& error);
     void logLine(planewright::LogLevel level, const QString& source, const QString& text);

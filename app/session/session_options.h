@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/session/loops/slice_recorder.h"
-#include "app/session/open_source.h"
+#include "app/sources/open_source.h"
 
 namespace planewright {
 

@@ -96,6 +96,7 @@ void SessionParts::onOpened(Result<OpenedSource>& result)
     for (const std::string& warning : opened.warnings)
         log(LogLevel::Warning, warning);
     emit session.parametersChanged();
+    emit session.projectChanged();
     const bool isReadOnly = opened.project && !opened.project->readOnlyBecause().empty();
     if (isReadOnly)
         log(LogLevel::Warning, opened.project->readOnlyBecause());
@@ -134,6 +135,7 @@ void SessionParts::startScan()
         parameters = {{0, parameters.back().parameters}};
         opened.project.reset();
         opened.edits.clear();
+        emit session.projectChanged();
     }
     auto next = std::make_unique<SessionRun>([this](const ScanEvents& events) {
         auto work = std::make_unique<ScanPipeline>(ScanPlan{opened.source, recorder(), parameters, options.explain},
@@ -250,6 +252,8 @@ void SessionParts::onEnded()
     if (rerunHistory_) {
         if (!rerunCancelled_) {
             history = std::move(*rerunHistory_);
+            parameters = {{0, parameters.back().parameters}};
+            storeParameters();
             emit session.historyChanged(static_cast<int>(history.steps().size()));
         }
         rerunHistory_.reset();
@@ -257,6 +261,16 @@ void SessionParts::onEnded()
     openRecorded();
     showMap();
     happen(isEmpty ? SessionHappening::CaughtUpEmpty : SessionHappening::CaughtUp);
+}
+
+/// What is extracted from the file from now on is what is shown.
+void SessionParts::storeParameters()
+{
+    if (!opened.project)
+        return;
+    const Result<void> stored = opened.project->appendParameters(opened.scan, parameters.back().parameters);
+    if (!stored)
+        tellFault(stored.error());
 }
 
 /// From now on edits go into the file that the scan was recorded into.
@@ -271,6 +285,7 @@ void SessionParts::openRecorded()
     }
     opened.project = std::move(*project);
     opened.scan = 1;
+    emit session.projectChanged();
 }
 
 void SessionParts::forget()
@@ -288,6 +303,7 @@ void SessionParts::forget()
     shownStep.reset();
     showMap();
     emit session.historyChanged(0);
+    emit session.projectChanged();
 }
 
 SessionStatus SessionParts::status() const

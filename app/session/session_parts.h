@@ -59,6 +59,7 @@ private:
     void onFrame();
     void onEnded();
     void takeSteps();
+    void storeParameters();
     void openRecorded();
     std::unique_ptr<SliceRecorder> recorder();
     void happen(SessionHappening happening);

@@ -10,7 +10,7 @@
 #include <QObject>
 #include <QThread>
 
-#include "app/session/open_source.h"
+#include "app/sources/open_source.h"
 
 namespace planewright {
 

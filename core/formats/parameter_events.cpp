@@ -4,6 +4,7 @@
 #include "core/formats/parameter_events.h"
 
 #include <sstream>
+#include <utility>
 
 #include "core/formats/preset_file.h"
 
@@ -25,17 +26,13 @@ Result<std::vector<ParametersFrom>> readParameterEvents(const std::vector<ScanEv
             continue;
         const int step = event.step.value_or(0);
         const std::string place = fileName + ": the parameters stored for step " + std::to_string(step);
-        if (!all.empty() && step < all.back().step)
-            return fail(ErrorCode::Unreadable, place + " come after those of a later step; give --preset");
         ParametersFrom from{step, {}};
         std::istringstream payload{event.payload};
         if (const auto read = readPresetFile(payload, place, from.parameters); !read)
             return fail(ErrorCode::Unreadable, read.error().message + ", or give --preset");
-        // What was changed twice before a step was taken holds as it was set last.
-        if (!all.empty() && all.back().step == step)
-            all.back() = from;
-        else
-            all.push_back(from);
+        // What was said before of this step and of those behind it holds no more: the scan was extracted once more.
+        std::erase_if(all, [&](const ParametersFrom& before) { return before.step >= step; });
+        all.push_back(std::move(from));
     }
     return all;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/formats/edit_json.h"
+#include "core/formats/parameter_events.h"
 #include "core/formats/pwscan_open.h"
 #include "core/formats/pwscan_schema.h"
 #include "core/formats/recording_csv.h"
@@ -94,17 +95,32 @@ Result<std::vector<ScanRecord>> PwscanProject::scans() const
     return readScans(state_->database, problems);
 }
 
-Result<int> PwscanProject::append(int scan, const Edit& edit)
+/// Errors where nothing can be added to a scan.
+Result<void> PwscanProject::checkWritable(int scan) const
 {
-    if (const auto writable = checkWritable(); !writable)
-        return tl::unexpected{writable.error()};
-    if (const auto fine = readEditJson(name(edit.kind), editJson(edit), state_->path); !fine)
-        return fail(ErrorCode::Usage, fine.error().message);
+    if (auto writable = checkWritable(); !writable)
+        return writable;
     const auto known = state_->database.number("SELECT count(*) FROM scan WHERE id=" + std::to_string(scan));
     if (!known)
         return tl::unexpected{known.error()};
     if (*known != 1)
         return fail(ErrorCode::Usage, state_->path + ": there is no scan " + std::to_string(scan));
+    return {};
+}
+
+Result<void> PwscanProject::appendParameters(int scan, const Parameters& parameters)
+{
+    if (auto writable = checkWritable(scan); !writable)
+        return writable;
+    return insertEvent(state_->database, scan, parametersEvent(0, parameters));
+}
+
+Result<int> PwscanProject::append(int scan, const Edit& edit)
+{
+    if (const auto writable = checkWritable(scan); !writable)
+        return tl::unexpected{writable.error()};
+    if (const auto fine = readEditJson(name(edit.kind), editJson(edit), state_->path); !fine)
+        return fail(ErrorCode::Usage, fine.error().message);
     return insertEdit(state_->database, scan, edit, false);
 }
 

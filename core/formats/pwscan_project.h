@@ -11,6 +11,7 @@
 
 #include "core/formats/pwscan_notes.h"
 #include "core/formats/pwscan_scan.h"
+#include "core/params/parameters.h"
 #include "core/types/edit.h"
 #include "core/types/error.h"
 
@@ -45,6 +46,9 @@ public:
     /// The edits of a scan in their order, undone ones too; those that cannot be read are left out.
     Result<std::vector<StoredEdit>> edits(int scan) const;
 
+    /// Adds that a scan is extracted with these parameters, all of it, whatever was in force before.
+    Result<void> appendParameters(int scan, const Parameters& parameters);
+
     /// What is kept of a scan, or without one of the file: view, selection, layers. Texts of at most 1 MiB, keys of at
     /// most 200 bytes.
     Result<std::optional<std::string>> setting(std::optional<int> scan, std::string_view key) const;
@@ -56,6 +60,7 @@ private:
     struct State;
     explicit PwscanProject(std::unique_ptr<State> state);
     Result<void> checkWritable() const;
+    Result<void> checkWritable(int scan) const;
 
     std::unique_ptr<State> state_;
 };

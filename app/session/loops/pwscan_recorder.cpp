@@ -28,6 +28,8 @@ PwscanRecorder::PwscanRecorder(std::string path, Target target, std::string scan
 
 Result<void> PwscanRecorder::begin(const ScanDescription& description, std::optional<int> plannedSlices)
 {
+    if (writer_)
+        return {};
     ScanRecord scan;
     scan.name = scanName_;
     scan.startedUtc = startedUtc_;

@@ -24,6 +24,7 @@ public:
     PwscanRecorder(std::string path, Target target, std::string scanName);
 
     std::string path() const override { return path_; }
+    /// Once it has succeeded, once more changes nothing: a caller can find out beforehand whether there will be a file.
     Result<void> begin(const ScanDescription& description, std::optional<int> plannedSlices) override;
     Result<void> write(const ScanSlice& slice) override { return writer_->write(slice); }
     Result<void> write(const ParametersFrom& parameters) override

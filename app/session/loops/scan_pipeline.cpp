@@ -11,14 +11,16 @@ namespace planewright {
 
 ScanPipeline::ScanPipeline(ScanPlan plan, ScanEvents events, const Clock& clock)
     : source_(plan.source),
+      extracts_(plan.extracts),
       description_(source_->isLive() ? asRecorded(source_->description()) : source_->description()),
       first_(plan.parameters.front().parameters),
       acquired_(clock),
       recorded_(clock),
       bridge_(std::move(events.onNews)),
       acquisition_(*source_, acquired_, clock, std::move(events.acquisition)),
-      recording_(std::move(plan.recorder), description_, source_->plannedSlices(), plan.parameters, acquired_,
-                 recorded_, clock, std::move(events.recording)),
+      recording_(std::move(plan.recorder), description_, source_->plannedSlices(),
+                 extracts_ ? plan.parameters : std::vector<ParametersFrom>{}, acquired_, recorded_, clock,
+                 std::move(events.recording)),
       extraction_({description_, plan.parameters, plan.explain}, recorded_, bridge_, clock,
                   std::move(events.onExtractionFailed))
 {
@@ -26,7 +28,13 @@ ScanPipeline::ScanPipeline(ScanPlan plan, ScanEvents events, const Clock& clock)
 
 std::vector<std::function<void()>> ScanPipeline::loops()
 {
-    return {[this] { acquisition_.run(); }, [this] { recording_.run(); }, [this] { extraction_.run(); }};
+    const auto extract = [this] {
+        if (extracts_)
+            extraction_.run();
+        while (recorded_.pop()) {
+        }
+    };
+    return {[this] { acquisition_.run(); }, [this] { recording_.run(); }, extract};
 }
 
 Result<void> ScanPipeline::pause()

@@ -20,6 +20,7 @@ struct ScanPlan {
     std::unique_ptr<SliceRecorder> recorder;  ///< null: the recording is off
     std::vector<ParametersFrom> parameters;   ///< one at least, as in ExtractionPlan
     bool explain = false;
+    bool extracts = true;  ///< otherwise the scan is only recorded, and without parameters
 };
 
 /// Hears of a scan, each on one of its threads.
@@ -64,6 +65,7 @@ public:
 
 private:
     std::shared_ptr<ScanSource> source_;
+    bool extracts_;
     ScanDescription description_;  ///< as the recording gives it back
     Parameters first_;
     Channel<AcquiredItem> acquired_;

@@ -31,6 +31,7 @@ private slots:
     void aScanThatIsFinishedEarlyKeepsItsSlices();
     void parametersChangedMidScanGiveThePlanesOfABatch();
     void aRerunTakesThePresentParameters();
+    void aRerunOfAFileIsWhatTheFileGivesFromThenOn();
     void aCancelledRerunKeepsWhatWasThere();
     void everyStepCanBeGoneBackTo();
     void aRecorderThatFailsForAWhileLosesNothing();
@@ -245,6 +246,35 @@ void ScanSessionTest::aRerunTakesThePresentParameters()
 
     QCOMPARE(planesText(*session.map()->snapshot), batchPlanes(smallCorridor(), {{0, changed}}));
     QCOMPARE(session.map()->slices[0]->tilt, degrees(10.0) + degrees(1.0));
+}
+
+void ScanSessionTest::aRerunOfAFileIsWhatTheFileGivesFromThenOn()
+{
+    const QTemporaryDir folder;
+    SessionOptions options = smallOptions();
+    options.recordFolder = folder.path().toStdString();
+    ScanSession session{options};
+    OPEN_ROOM(session, "&speed=0");
+    QVERIFY(session.start());
+    WAIT_FOR(session, Review);
+    Parameters changed = session.parameters();
+    changed.likelihood.enoughPoints = 400;
+
+    QVERIFY(session.setParameters(changed));
+    QVERIFY(session.rerun());
+    WAIT_FOR(session, Review);
+    const std::string planes = planesText(*session.map()->snapshot);
+    const std::string path = session.status().recording;
+    session.close();
+
+    const auto read = readRecordingPwscan(path);
+    QVERIFY(read);
+    const auto stored = readParameterEvents(read->notes.events, path);
+    QVERIFY(stored);
+    QCOMPARE(batchPlanes(read->read.recording, *stored), planes);
+    QVERIFY(session.open(path));
+    WAIT_FOR(session, Review);
+    QCOMPARE(planesText(*session.map()->snapshot), planes);
 }
 
 void ScanSessionTest::aCancelledRerunKeepsWhatWasThere()

@@ -16,7 +16,7 @@ private slots:
     void everyParameterComesBack();
     void theLastSetOfAStepHolds();
     void otherEventsArePassedOver();
-    void stepsThatFallAreAnError();
+    void anotherExtractionTakesThePlaceOfTheOneBefore();
     void whatIsNoPresetIsAnError();
 };
 
@@ -59,13 +59,21 @@ void ParameterEventsTest::otherEventsArePassedOver()
     QVERIFY(read->empty());
 }
 
-void ParameterEventsTest::stepsThatFallAreAnError()
+void ParameterEventsTest::anotherExtractionTakesThePlaceOfTheOneBefore()
 {
-    const auto read = readParameterEvents({parametersEvent(3, {}), parametersEvent(2, {})}, "a.pwscan");
+    Parameters again;
+    again.planes.minSlices = 9;
 
-    QVERIFY(!read);
-    QCOMPARE(read.error().message,
-             std::string("a.pwscan: the parameters stored for step 2 come after those of a later step; give --preset"));
+    const auto whole =
+        readParameterEvents({parametersEvent(0, {}), parametersEvent(3, {}), parametersEvent(0, again)}, "a.pwscan");
+    const auto part =
+        readParameterEvents({parametersEvent(0, {}), parametersEvent(3, {}), parametersEvent(2, again)}, "a.pwscan");
+
+    QCOMPARE(whole->size(), std::size_t(1));
+    QCOMPARE(whole->front().parameters.planes.minSlices, 9);
+    QCOMPARE(part->size(), std::size_t(2));
+    QCOMPARE(part->back().step, 2);
+    QCOMPARE(part->back().parameters.planes.minSlices, 9);
 }
 
 void ParameterEventsTest::whatIsNoPresetIsAnError()

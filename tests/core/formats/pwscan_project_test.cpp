@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/formats/parameter_events.h"
 #include "core/formats/pwscan_writer.h"
 #include "core/formats/recording_pwscan.h"
 #include "pwscan_sample.h"
@@ -32,6 +33,7 @@ private slots:
     void aBrokenOffRecordingOnSuchMediaIsAClearError();
     void aNewerVersionIsReadOnly();
     void aFileThatIsHeldIsReadOnlyOrAClearError();
+    void parametersOfAnotherExtractionAreStored();
     void editsAreTakenWhileTheScanRuns();
 
 private:
@@ -260,6 +262,22 @@ void PwscanProjectTest::aFileThatIsHeldIsReadOnlyOrAClearError()
     QVERIFY(!whileHeld);
     QVERIFY2(messageOf(whileHeld).ends_with("another program holds the file; close it there, or try again"),
              messageOf(whileHeld).c_str());
+}
+
+void PwscanProjectTest::parametersOfAnotherExtractionAreStored()
+{
+    auto project = PwscanProject::open(path_);
+    Parameters again;
+    again.planes.minSlices = 9;
+
+    QVERIFY(project->appendParameters(1, again));
+    QVERIFY(!project->appendParameters(2, again));
+
+    const auto stored = readParameterEvents(readRecordingPwscan(path_)->notes.events, path_);
+    QVERIFY(stored);
+    QCOMPARE(stored->size(), std::size_t(1));
+    QCOMPARE(stored->front().step, 0);
+    QCOMPARE(stored->front().parameters.planes.minSlices, 9);
 }
 
 void PwscanProjectTest::editsAreTakenWhileTheScanRuns()

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "app/session/open_source.h"
+#include "app/sources/open_source.h"
 
 #include <utility>
 

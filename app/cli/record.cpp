@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/cli/angle_range.h"
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "app/cli/number_option.h"
+#include "app/cli/parameter_options.h"
+#include "app/cli/plane_table.h"
+#include "app/cli/progress.h"
+#include "app/cli/signal_watch.h"
+#include "app/files/file_kind.h"
+#include "app/files/recording_file.h"
+#include "app/session/loops/pwscan_recorder.h"
+#include "app/session/loops/scan_pipeline.h"
+#include "app/sources/open_source.h"
+#include "core/formats/recorded_slice.h"
+#include "core/formats/recording_csv.h"
+
+namespace planewright {
+
+namespace {
+
+struct RecordOptions {
+    std::string scanner;
+    std::string output;
+    bool append = false;
+    bool extract = false;
+    std::string tilt;
+    int slices = 0;  ///< as --tilt says
+    ParameterOptions parameters;
+};
+
+/// What happened on the threads of a scan, for the one that waits for it.
+struct ScanNews {
+    std::atomic<bool> isOver{false};
+    std::optional<Error> failure;    ///< of the source or the extraction; read when the threads have ended
+    std::optional<Error> notClosed;  ///< of the recording
+};
+
+Result<AcquisitionSettings> settingsOf(const RecordOptions& options)
+{
+    AcquisitionSettings settings;  // Table VIII
+    if (!options.tilt.empty()) {
+        const auto most = options.slices > 0 ? std::nullopt : std::optional{kMaxSlices};
+        const auto range = parseAngleRange("--tilt", options.tilt, RangeEnd::Open, most);
+        if (!range)
+            return tl::unexpected{range.error()};
+        settings.firstTilt = range->first;
+        settings.tiltStep = range->step;
+        settings.slices = range->count;
+    }
+    if (options.slices > 0)
+        settings.slices = options.slices;
+    if (std::abs(settings.firstTilt + settings.tiltStep * (settings.slices - 1)) > degrees(360.0))
+        return fail(ErrorCode::Usage, "--slices: the last of so many slices tilts beyond 360 degrees; give fewer");
+    return settings;
+}
+
+Result<OpenedSource> openScanner(const RecordOptions& options)
+{
+    const auto address = parseSourceAddress(options.scanner);
+    if (!address)
+        return fail(address.error().code, "--scanner: " + address.error().message);
+    if (address->kind == SourceAddress::Kind::File)
+        return fail(ErrorCode::Usage, "--scanner: '" + options.scanner + "' is no scanner; give sim:SCENE, or replay:" +
+                                          options.scanner + " to record it once more");
+    if (address->kind == SourceAddress::Kind::Replay && (!options.tilt.empty() || options.slices > 0))
+        return fail(ErrorCode::Usage, "--tilt, --slices: a replay has the slices of its recording; leave them out");
+    const auto settings = settingsOf(options);
+    if (!settings)
+        return tl::unexpected{settings.error()};
+    return openSource(*address, {*settings, defaultSimulationNoise(), 1, 1.0}, steadyClock(), {});
+}
+
+Result<Parameters> parametersOf(const RecordOptions& options, const std::string& scanner)
+{
+    if (options.extract)
+        return parametersInForce(options.parameters, scanner);
+    if (!options.parameters.preset.empty() || !options.parameters.sensor.empty() ||
+        !options.parameters.assignments.empty())
+        return fail(ErrorCode::Usage, "--preset, --sensor and -P say how planes are extracted; give --extract, too");
+    return Parameters{};
+}
+
+/// The recording, begun: whether there can be one shows before anything moves.
+Result<std::unique_ptr<SliceRecorder>> beginRecording(const RecordOptions& options, const ScanSource& source)
+{
+    if (const auto suffix = suffixOf(options.output, {kPwscanSuffix}, "a recording that is taken now"); !suffix)
+        return tl::unexpected{suffix.error()};
+    std::error_code error;
+    const bool isThere = std::filesystem::exists(options.output, error);
+    if (isThere && !options.append)
+        return fail(ErrorCode::NotWritten,
+                    options.output + ": the file exists; give another name, or --append to add the scan to it");
+    if (!isThere) {
+        if (const auto target = checkRecordingTarget(options.output); !target)
+            return tl::unexpected{target.error()};
+    }
+    auto recorder = std::make_unique<PwscanRecorder>(
+        options.output, isThere ? PwscanRecorder::Target::Append : PwscanRecorder::Target::NewFile, source.name());
+    const auto begun = recorder->begin(source.isLive() ? asRecorded(source.description()) : source.description(),
+                                       source.plannedSlices());
+    if (!begun)
+        return tl::unexpected{begun.error()};
+    return recorder;
+}
+
+ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline)
+{
+    ScanEvents events;
+    events.acquisition.onBegun = [] {};
+    events.acquisition.onFault = [&](const Error& error) {
+        news.failure = error;
+        pipeline->giveUp();
+    };
+    events.acquisition.onEnded = [](ScanOutcome /*outcome*/) {};
+    events.recording.onTrouble = [](const Error& error) {
+        printWarning(error.message + "; slices are kept in memory, and writing is tried again every second");
+    };
+    events.recording.onRecovered = [] { printWarning("all slices are on the disk again"); };
+    events.recording.onClosed = [&](const Result<void>& closed) {
+        if (!closed)
+            news.notClosed = closed.error();
+    };
+    events.onNews = [] {};
+    events.onExtractionFailed = [&](const Error& error) { news.notClosed = error; };
+    return events;
+}
+
+/// Waits for the scan to be over; a signal ends it in order, a second one in a hurry. Gives the first.
+std::optional<int> waitFor(ScanPipeline& pipeline, const ScanNews& news, const SignalWatch& signals, int planned)
+{
+    constexpr std::chrono::milliseconds kLookEvery{50};
+    Progress progress("recording, slice");
+    std::optional<int> interrupted;
+    while (!news.isOver) {
+        if (const std::optional<int> signal = signals.wait(kLookEvery)) {
+            if (interrupted) {
+                pipeline.abandon();
+            } else {
+                interrupted = signal;
+                [[maybe_unused]] const Result<void> stopped = pipeline.stopMotion();
+                pipeline.finish();
+            }
+        }
+        progress.show(static_cast<std::size_t>(pipeline.status().acquired), static_cast<std::size_t>(planned));
+    }
+    return interrupted;
+}
+
+Result<ExitCode> record(const RecordOptions& options)
+{
+    Result<OpenedSource> opened = openScanner(options);
+    if (!opened)
+        return tl::unexpected{opened.error()};
+    for (const std::string& warning : opened->warnings)
+        printWarning(warning);
+    const auto parameters = parametersOf(options, opened->source->description().scanner);
+    if (!parameters)
+        return tl::unexpected{parameters.error()};
+    auto recorder = beginRecording(options, *opened->source);
+    if (!recorder)
+        return tl::unexpected{recorder.error()};
+
+    const SignalWatch signals;
+    ScanNews news;
+    ScanPipeline* running = nullptr;
+    ScanPipeline pipeline{{opened->source, std::move(*recorder), {{0, *parameters}}, false, options.extract},
+                          eventsFor(news, running),
+                          steadyClock()};
+    running = &pipeline;
+    std::optional<int> interrupted;
+    {
+        std::vector<std::jthread> threads;
+        std::atomic<int> left{3};
+        for (auto& loop : pipeline.loops()) {
+            threads.emplace_back([&news, &left, run = std::move(loop)] {
+                run();
+                if (--left == 0)
+                    news.isOver = true;
+            });
+        }
+        interrupted = waitFor(pipeline, news, signals, opened->source->plannedSlices().value_or(0));
+    }
+
+    if (news.failure)
+        return tl::unexpected{*news.failure};
+    if (news.notClosed)
+        return tl::unexpected{*news.notClosed};
+    if (options.extract) {
+        const auto steps = pipeline.take();
+        const auto printed = steps.empty() ? Result<void>{} : print(planeTable(planeResults(*steps.back().snapshot)));
+        if (!printed)
+            return tl::unexpected{printed.error()};
+    }
+    return interrupted ? static_cast<ExitCode>(128 + *interrupted) : ExitCode::Done;
+}
+
+}  // namespace
+
+void addRecordCommand(CLI::App& program, Command& chosen)
+{
+    CLI::App& command = *program.add_subcommand("record", "a recording of what a scanner sees now");
+    auto options = std::make_shared<RecordOptions>();
+    command
+        .add_option("--scanner", options->scanner,
+                    "sim:SCENE?seed=N&speed=X or replay:FILE?speed=X; speed 1 is real time, 0 as fast as possible")
+        ->type_name("ADDRESS")
+        ->required();
+    command.add_option("-o", options->output, "recording to write (.pwscan)")->type_name("FILE")->required();
+    command.add_flag("--append", options->append, "add the scan to a recording that is there");
+    command.add_flag("--extract", options->extract, "extract planes meanwhile, and print them at the end");
+    command.add_option("--tilt", options->tilt, "pitch of the slices in degrees (default 10:170:1.16, 137 slices)")
+        ->type_name("A:B:STEP");
+    addWholeNumber(command, "--slices", options->slices, 1, kMaxSlices, "number of slices, whatever --tilt says");
+    addParameterOptions(command, options->parameters);
+    command.callback([options, &chosen] { chosen = [options] { return record(*options); }; });
+}
+
+}  // namespace planewright
