@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -61,7 +62,7 @@ QLabel* makeInstead(QWidget* parent)
 FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKey> keys, const TableTexts& texts,
                              const std::vector<int>& defaultColumns, QWidget* parent)
     : QWidget(parent),
-      top_(new QVBoxLayout),
+      top_(new QHBoxLayout),
       rows_(new FilterProxyModel(keys, this)),
       filter_(new FilterBox(
           texts.filterName, texts.filterPlaceholder,
@@ -89,7 +90,7 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(6);
-    layout->addWidget(filter_);
+    top_->addWidget(filter_, 1, Qt::AlignTop);
     layout->addLayout(top_);
     layout->addWidget(stack_, 1);
     layout->addWidget(footer_);
@@ -204,6 +205,23 @@ QString FilteredTable::rowsAsText() const
             });
     }
     return text;
+}
+
+void FilteredTable::setWidths(const QStringList& samples)
+{
+    constexpr int kPadding = 12;   // [px]
+    constexpr int kSortMark = 12;  // [px]
+    QFont bold = view_->font();
+    bold.setBold(true);
+    const QFontMetrics metrics(bold);
+    const QFontMetrics heading(view_->horizontalHeader()->font());
+    for (int column = 0; column < static_cast<int>(samples.size()); ++column) {
+        const QString title = rows_->headerData(column, Qt::Horizontal).toString();
+        const bool sorted = column == view_->horizontalHeader()->sortIndicatorSection();
+        view_->setColumnWidth(column, std::max(metrics.horizontalAdvance(samples[column]),
+                                               heading.horizontalAdvance(title) + (sorted ? kSortMark : 0)) +
+                                          kPadding);
+    }
 }
 
 void FilteredTable::setColumnShown(int column, bool shown)
