@@ -103,6 +103,7 @@ void PlanesModel::setMap(std::shared_ptr<const ShownMap> map)
         rows_.resize(row);
         endRemoveRows();
     }
+    emit mapChanged();
 }
 
 void PlanesModel::allChanged()

@@ -103,8 +103,11 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
     connect(view_->horizontalHeader(), &QWidget::customContextMenuRequested, this, &FilteredTable::showColumnMenu);
     connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &FilteredTable::chosenChanged);
     connect(filter_, &FilterBox::applied, this, &FilteredTable::showWhatFits);
-    for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
-        connect(rows_, change, this, &FilteredTable::showWhatFits);
+    // The proxy lets go of rows before its source has; only the source's own signal knows that none is left.
+    for (const QAbstractItemModel* changing : {static_cast<QAbstractItemModel*>(rows_), model}) {
+        connect(changing, &QAbstractItemModel::rowsInserted, this, &FilteredTable::showWhatFits);
+        connect(changing, &QAbstractItemModel::rowsRemoved, this, &FilteredTable::showWhatFits);
+    }
     connect(rows_, &QAbstractItemModel::modelReset, this, &FilteredTable::showWhatFits);
     connect(rows_, &QAbstractItemModel::dataChanged, this, &FilteredTable::rowsChanged);
     connect(instead_, &QLabel::linkActivated, this, [this](const QString& link) {
@@ -118,6 +121,8 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
 
 void FilteredTable::setEmptyText(const QString& text)
 {
+    if (text == emptyText_)
+        return;
     emptyText_ = text;
     showWhatFits();
 }
@@ -209,7 +214,7 @@ QString FilteredTable::rowsAsText() const
 
 void FilteredTable::setWidths(const QStringList& samples)
 {
-    constexpr int kPadding = 12;   // [px]
+    constexpr int kPadding = 9;    // [px]
     constexpr int kSortMark = 12;  // [px]
     QFont bold = view_->font();
     bold.setBold(true);
