@@ -27,6 +27,7 @@ private slots:
     void whatIsTypedIsARequestAndChangesNothing();
     void typingTheSameNameIsNoRequest();
     void aMapTouchesOnlyTheRowsThatAreOthers();
+    void planesOfAnotherScanAreOthersWhateverTheirRevision();
     void planesComeAndGoInOrderOfId();
     void aPersistentIndexFollowsItsPlane();
     void everyColumnHasATitleAndAMeaning();
@@ -176,21 +177,34 @@ void PlanesModelTest::typingTheSameNameIsNoRequest()
 void PlanesModelTest::aMapTouchesOnlyTheRowsThatAreOthers()
 {
     MadeMap made;
-    made.plane(made.wall(1, {})).plane(made.wall(2, {})).plane(made.wall(3, {}));
+    made.slice(1).plane(made.wall(1, {})).plane(made.wall(2, {})).plane(made.wall(3, {}));
     model_->setMap(made.get());
     QSignalSpy changed(model_.get(), &PlanesModel::dataChanged);
     QSignalSpy reset(model_.get(), &PlanesModel::modelReset);
 
-    MadeMap next;
-    next.plane(next.wall(1, {}));                 // another object of the same revision
-    next.plane(next.wall(2, {}, 2));              // refitted
-    next.plane(next.wall(3, {}), "wall", "New");  // named
-    model_->setMap(next.get());
+    made.withoutPlanes();
+    made.plane(made.wall(1, {}));                 // another object of the same revision
+    made.plane(made.wall(2, {}, 2));              // refitted
+    made.plane(made.wall(3, {}), "wall", "New");  // named
+    model_->setMap(made.get());
 
     QCOMPARE(reset.size(), 0);
     QCOMPARE(changed.size(), 2);
     QCOMPARE(changed[0][0].toModelIndex().row(), 1);
     QCOMPARE(changed[1][0].toModelIndex().row(), 2);
+}
+
+void PlanesModelTest::planesOfAnotherScanAreOthersWhateverTheirRevision()
+{
+    MadeMap made;
+    model_->setMap(made.slice(1).plane(made.wall(1, {})).get());
+    MadeMap other;
+    Plane plane = other.wall(1, {});
+    plane.distance = 7.0;
+
+    model_->setMap(other.slice(1).plane(plane).get());
+
+    QCOMPARE(cell(0, PlaneColumn::Distance), QStringLiteral("7.00"));
 }
 
 void PlanesModelTest::planesComeAndGoInOrderOfId()
