@@ -42,6 +42,7 @@ AboutDialog::AboutDialog(const QList<QPair<QString, QString>>& parts, QWidget* p
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(tr("Copy versions"), QDialogButtonBox::ActionRole);
     copy->setObjectName(QStringLiteral("copyVersions"));
+    copy->setAutoDefault(false);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(text, 1);
     layout->addWidget(buttons);

@@ -47,7 +47,7 @@ std::vector<ListedAction> listedActions(const QList<QAction*>& actions)
 int fuzzyFit(const QString& query, const QString& text)
 {
     constexpr int kWordStart = 8;
-    constexpr int kSideBySide = 5;
+    constexpr int kSideBySide = 10;
     constexpr int kLetter = 1;
     int fit = 0;
     qsizetype at = 0;

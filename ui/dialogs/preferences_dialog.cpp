@@ -114,10 +114,11 @@ void PreferencesDialog::search(const QString& words)
     for (int row = 0; row < stack_->count(); ++row) {
         auto* page = qobject_cast<PreferencesPage*>(stack_->widget(row));
         const int found = page != nullptr ? page->search(words) : shortcuts_->search(words);
-        list_->item(row)->setHidden(found == 0);
-        if (found > 0 && first < 0)
+        const bool fits = found > 0 || words.isEmpty();
+        list_->item(row)->setHidden(!fits);
+        if (fits && first < 0)
             first = row;
-        currentFits = currentFits || (found > 0 && row == list_->currentRow());
+        currentFits = currentFits || (fits && row == list_->currentRow());
     }
     nothing_->setVisible(first < 0);
     if (!currentFits && first >= 0)

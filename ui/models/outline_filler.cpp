@@ -7,6 +7,8 @@
 
 #include <QDeadlineTimer>
 
+#include "ui/common/same_scan.h"
+
 namespace planewright {
 
 namespace {
@@ -21,6 +23,8 @@ OutlineFiller::OutlineFiller(QObject* parent) : QObject(parent), timer_(this)
 
 void OutlineFiller::setMap(const std::shared_ptr<const ShownMap>& map)
 {
+    if (!map || !map_ || !isSameScan(*map, *map_))
+        outlines_.clear();
     map_ = map;
     next_ = 0;
     publish();

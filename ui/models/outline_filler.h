@@ -17,7 +17,8 @@ namespace planewright {
 /// Works out the outlines that a map lacks, a few at a time, and keeps them by plane and revision.
 ///
 /// It takes up its thread for no longer than one outline beyond the budget at a time. A plane shows its earlier outline
-/// until the new one is there. Maps with outlines pass through as they are.
+/// until the new one is there. Maps with outlines pass through as they are. It may be moved to a thread of its own,
+/// since the largest planes take a tenth of a second each.
 class OutlineFiller : public QObject {
     Q_OBJECT
 

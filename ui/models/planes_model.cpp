@@ -9,6 +9,7 @@
 #include <QColor>
 
 #include "ui/common/plane_words.h"
+#include "ui/common/same_scan.h"
 #include "ui/models/plane_cells_text.h"
 
 namespace planewright {
@@ -53,9 +54,10 @@ bool isText(PlaneColumn column)
            column == PlaneColumn::MadeOf || column == PlaneColumn::State;
 }
 
-bool isSameRow(const ShownPlane& a, const ShownPlane& b)
+/// True where nothing of a row is another, given the same id.
+bool isSameRow(const ShownPlane& a, const ShownPlane& b, bool sameScan)
 {
-    const bool samePlane = a.plane == b.plane || (a.plane->id == b.plane->id && a.plane->revision == b.plane->revision);
+    const bool samePlane = a.plane == b.plane || (sameScan && a.plane->revision == b.plane->revision);
     return samePlane && a.name == b.name && a.className == b.className && a.hidden == b.hidden &&
            a.locked == b.locked && a.outline == b.outline;
 }
@@ -71,6 +73,7 @@ PlanesModel::PlanesModel(QObject* parent) : QAbstractTableModel(parent) {}
 
 void PlanesModel::setMap(std::shared_ptr<const ShownMap> map)
 {
+    const bool sameScan = map && map_ && isSameScan(*map, *map_);
     map_ = std::move(map);
     static const std::vector<ShownPlane> kNone;
     const std::vector<ShownPlane>& planes = map_ ? map_->planes : kNone;
@@ -92,7 +95,7 @@ void PlanesModel::setMap(std::shared_ptr<const ShownMap> map)
             beginInsertRows({}, at, at);
             rows_.insert(rows_.begin() + at, plane);
             endInsertRows();
-        } else if (!isSameRow(rows_[row], plane)) {
+        } else if (!isSameRow(rows_[row], plane, sameScan)) {
             rows_[row] = plane;
             emit dataChanged(index(at, 0), index(at, kPlaneColumns - 1));
         }
@@ -103,6 +106,7 @@ void PlanesModel::setMap(std::shared_ptr<const ShownMap> map)
         rows_.resize(row);
         endRemoveRows();
     }
+    emit mapChanged();
 }
 
 void PlanesModel::allChanged()

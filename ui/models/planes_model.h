@@ -81,6 +81,8 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
 signals:
+    /// Another map is shown, with all its rows in place.
+    void mapChanged();
     void renameRequested(planewright::PlaneId plane, const QString& name);
     void classRequested(planewright::PlaneId plane, const QString& className);
     void hideRequested(planewright::PlaneId plane, bool hidden);

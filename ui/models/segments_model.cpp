@@ -7,6 +7,7 @@
 #include <array>
 
 #include "ui/common/plane_words.h"
+#include "ui/common/same_scan.h"
 #include "ui/models/number_text.h"
 
 namespace planewright {
@@ -76,9 +77,7 @@ bool SegmentsModel::goesOn(const ShownMap& next) const
     const SegmentLog& after = next.snapshot->segments;
     if (after.slices() < before.slices())
         return false;
-    // Logs that go on share the segments of their slices.
-    return before.slices() == 0 || (&before.slice(0) == &after.slice(0) &&
-                                    &before.slice(before.slices() - 1) == &after.slice(before.slices() - 1));
+    return before.slices() == 0 || isSameScan(*map_, next);
 }
 
 std::vector<PlaneId> SegmentsModel::planeIds() const

@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -61,7 +62,7 @@ QLabel* makeInstead(QWidget* parent)
 FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKey> keys, const TableTexts& texts,
                              const std::vector<int>& defaultColumns, QWidget* parent)
     : QWidget(parent),
-      top_(new QVBoxLayout),
+      top_(new QHBoxLayout),
       rows_(new FilterProxyModel(keys, this)),
       filter_(new FilterBox(
           texts.filterName, texts.filterPlaceholder,
@@ -89,7 +90,7 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(6);
-    layout->addWidget(filter_);
+    top_->addWidget(filter_, 1, Qt::AlignTop);
     layout->addLayout(top_);
     layout->addWidget(stack_, 1);
     layout->addWidget(footer_);
@@ -102,8 +103,11 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
     connect(view_->horizontalHeader(), &QWidget::customContextMenuRequested, this, &FilteredTable::showColumnMenu);
     connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &FilteredTable::chosenChanged);
     connect(filter_, &FilterBox::applied, this, &FilteredTable::showWhatFits);
-    for (const auto change : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
-        connect(rows_, change, this, &FilteredTable::showWhatFits);
+    // The proxy lets go of rows before its source has; only the source's own signal knows that none is left.
+    for (const QAbstractItemModel* changing : {static_cast<QAbstractItemModel*>(rows_), model}) {
+        connect(changing, &QAbstractItemModel::rowsInserted, this, &FilteredTable::showWhatFits);
+        connect(changing, &QAbstractItemModel::rowsRemoved, this, &FilteredTable::showWhatFits);
+    }
     connect(rows_, &QAbstractItemModel::modelReset, this, &FilteredTable::showWhatFits);
     connect(rows_, &QAbstractItemModel::dataChanged, this, &FilteredTable::rowsChanged);
     connect(instead_, &QLabel::linkActivated, this, [this](const QString& link) {
@@ -117,6 +121,8 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
 
 void FilteredTable::setEmptyText(const QString& text)
 {
+    if (text == emptyText_)
+        return;
     emptyText_ = text;
     showWhatFits();
 }
@@ -204,6 +210,23 @@ QString FilteredTable::rowsAsText() const
             });
     }
     return text;
+}
+
+void FilteredTable::setWidths(const QStringList& samples)
+{
+    constexpr int kPadding = 9;    // [px]
+    constexpr int kSortMark = 12;  // [px]
+    QFont bold = view_->font();
+    bold.setBold(true);
+    const QFontMetrics metrics(bold);
+    const QFontMetrics heading(view_->horizontalHeader()->font());
+    for (int column = 0; column < static_cast<int>(samples.size()); ++column) {
+        const QString title = rows_->headerData(column, Qt::Horizontal).toString();
+        const bool sorted = column == view_->horizontalHeader()->sortIndicatorSection();
+        view_->setColumnWidth(column, std::max(metrics.horizontalAdvance(samples[column]),
+                                               heading.horizontalAdvance(title) + (sorted ? kSortMark : 0)) +
+                                          kPadding);
+    }
 }
 
 void FilteredTable::setColumnShown(int column, bool shown)

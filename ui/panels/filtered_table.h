@@ -15,7 +15,7 @@
 class QAction;
 class QLabel;
 class QStackedWidget;
-class QVBoxLayout;
+class QHBoxLayout;
 
 namespace planewright {
 
@@ -45,8 +45,8 @@ public:
     FilterBox* filter() const { return filter_; }
     /// "Copy rows", `actCopyRows`, Ctrl+C while the table has the keyboard.
     QAction* copyAction() const { return copyAction_; }
-    /// Above the table, for what a panel adds.
-    QVBoxLayout* top() const { return top_; }
+    /// The line of the filter, for what a panel adds behind it.
+    QHBoxLayout* top() const { return top_; }
 
     void setEmptyText(const QString& text);
     void setFooter(const QString& text);
@@ -64,6 +64,8 @@ public:
     /// The chosen rows, or all rows if none is, as tab-separated text with the headings of the visible columns.
     QString rowsAsText() const;
 
+    /// Makes each column as wide as its heading and a text about as wide as is usual in it.
+    void setWidths(const QStringList& samples);
     void setColumnShown(int column, bool shown);
     bool isColumnShown(int column) const { return !view_->isColumnHidden(column); }
     /// Which columns are shown, their order, widths and sorting.
@@ -81,7 +83,7 @@ private:
     void showColumnMenu(const QPoint& place);
     void showWhatFits();
 
-    QVBoxLayout* top_;
+    QHBoxLayout* top_;
     FilterProxyModel* rows_;
     FilterBox* filter_;
     QStackedWidget* stack_;

@@ -35,7 +35,7 @@ LogPanel::LogPanel(LogModel& model, QWidget* parent)
     layout->setContentsMargins({});
     layout->addWidget(table_);
     setFocusProxy(table_->view());
-    table_->top()->addWidget(copy_, 0, Qt::AlignLeft);
+    table_->top()->addWidget(copy_, 0, Qt::AlignTop);
     copy_->setObjectName(QStringLiteral("copyBugReport"));
     copy_->setAccessibleName(copy_->text());
     copy_->setToolTip(
@@ -45,12 +45,7 @@ LogPanel::LogPanel(LogModel& model, QWidget* parent)
     QTableView* view = table_->view();
     view->setEditTriggers(QAbstractItemView::NoEditTriggers);
     view->horizontalHeader()->setStretchLastSection(true);
-    const QFontMetrics metrics = view->fontMetrics();
-    view->setColumnWidth(static_cast<int>(LogColumn::Time), metrics.horizontalAdvance(QStringLiteral("00:00:00.0000")));
-    QFont bold = view->font();
-    bold.setBold(true);
-    view->setColumnWidth(static_cast<int>(LogColumn::Level),
-                         QFontMetrics(bold).horizontalAdvance(QStringLiteral("warning  ")));
+    table_->setWidths({QStringLiteral("00:00:00.000"), QStringLiteral("warning"), QStringLiteral("extraction"), {}});
     view->sortByColumn(-1, Qt::AscendingOrder);  // as they came
 
     connect(copy_, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(bugReport()); });

@@ -60,13 +60,11 @@ MeasurePanel::MeasurePanel(MeasurementsModel& model, QWidget* parent)
     table_->view()->setContextMenuPolicy(Qt::ActionsContextMenu);
     table_->view()->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->view()->sortByColumn(-1, Qt::AscendingOrder);  // as they were taken
-    table_->view()->setColumnWidth(0,
-                                   table_->fontMetrics().horizontalAdvance(QStringLiteral("Angle of three points  ")));
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(buttonFor(remove_, this));
-    buttons->addWidget(buttonFor(table_->copyAction(), this));
-    buttons->addStretch();
-    table_->top()->addLayout(buttons);
+    const QString length = QStringLiteral("-00.00");
+    table_->setWidths({QStringLiteral("Angle of three points"), length, QStringLiteral("000.0"), length, length, length,
+                       QStringLiteral("0000")});
+    table_->top()->addWidget(buttonFor(remove_, this), 0, Qt::AlignTop);
+    table_->top()->addWidget(buttonFor(table_->copyAction(), this), 0, Qt::AlignTop);
 
     const auto enable = [this] {
         remove_->setEnabled(!table_->chosenRows().empty());

@@ -48,9 +48,10 @@ ParameterField::ParameterField(ParameterModel& model, const ParameterRow& row, Q
     field->setObjectName(QStringLiteral("field"));
     field->setAccessibleName(name + (row.unitName.empty() ? QString{} : ", " + textOf(row.unitName)));
     field->setAccessibleDescription(textOf(row.meaning));
-    auto* label = new QLabel(
-        symbol.isEmpty() ? name.toHtmlEscaped() : QStringLiteral("%1 <i>%2</i>").arg(name.toHtmlEscaped(), symbol),
-        this);
+    auto* label = new QLabel(symbol.isEmpty() ? name.toHtmlEscaped()
+                                              : QStringLiteral("%1 <span style=\"white-space:nowrap\"><i>%2</i></span>")
+                                                    .arg(name.toHtmlEscaped(), symbol),
+                             this);
     label->setTextFormat(Qt::RichText);
     label->setWordWrap(true);
     label->setBuddy(field);

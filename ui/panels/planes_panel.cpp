@@ -28,6 +28,25 @@ const std::vector<int> kDefaultColumns{column(PlaneColumn::Colour), column(Plane
                                        column(PlaneColumn::Error),  column(PlaneColumn::State)};
 constexpr std::string_view kMinSegmentsKey = "planes.min-cluster-segments";
 
+/// A text about as wide as is usual in each column.
+QStringList samples()
+{
+    QStringList texts(kPlaneColumns, QStringLiteral("000.0"));
+    texts[column(PlaneColumn::Colour)] = QStringLiteral("mmm");  // check mark and colour
+    texts[column(PlaneColumn::Id)] = QStringLiteral("P00");
+    texts[column(PlaneColumn::Name)] = QStringLiteral("Left wall, rear");
+    texts[column(PlaneColumn::Class)] = QStringLiteral("ceiling");
+    for (const PlaneColumn normal : {PlaneColumn::Nx, PlaneColumn::Ny, PlaneColumn::Nz})
+        texts[column(normal)] = QStringLiteral("-0.0000");
+    texts[column(PlaneColumn::Distance)] = QStringLiteral("00.00");
+    texts[column(PlaneColumn::SegmentCount)] = QStringLiteral("000");
+    texts[column(PlaneColumn::Size)] = QStringLiteral("12.34 × 12.34");
+    texts[column(PlaneColumn::Error)] = QStringLiteral("0.00");
+    texts[column(PlaneColumn::MadeOf)] = QStringLiteral("P03←P07+P11");
+    texts[column(PlaneColumn::State)] = QStringLiteral("merged");
+    return texts;
+}
+
 struct Totals {
     int planes = 0;
     int segments = 0;
@@ -70,21 +89,10 @@ PlanesPanel::PlanesPanel(PlanesModel& model, MapSelection& selection, QWidget* p
     view->setEditTriggers(QAbstractItemView::EditKeyPressed);
     view->setContextMenuPolicy(Qt::CustomContextMenu);
     view->sortByColumn(column(PlaneColumn::Id), Qt::AscendingOrder);
-    constexpr int kPadding = 16;  // [px]
-    for (int i = 0; i < kPlaneColumns; ++i)
-        view->setColumnWidth(i, view->horizontalHeader()->sectionSizeHint(i));
-    const QFontMetrics metrics = view->fontMetrics();
-    view->setColumnWidth(column(PlaneColumn::Colour), 52);
-    view->setColumnWidth(column(PlaneColumn::Class), metrics.horizontalAdvance(QStringLiteral("ceiling")) + kPadding);
-    view->setColumnWidth(column(PlaneColumn::Name), metrics.horizontalAdvance(QStringLiteral("Left wall, rear")));
-    view->setColumnWidth(column(PlaneColumn::State), metrics.horizontalAdvance(QStringLiteral("merged")) + kPadding);
-    view->setColumnWidth(column(PlaneColumn::MadeOf),
-                         metrics.horizontalAdvance(QStringLiteral("P03←P07+P11")) + kPadding);
-    view->setColumnWidth(column(PlaneColumn::Size),
-                         metrics.horizontalAdvance(QStringLiteral("12.34 × 12.34")) + kPadding);
+    table_->setWidths(samples());
 
     connect(table_, &FilteredTable::chosenChanged, this, &PlanesPanel::giveSelection);
-    connect(table_, &FilteredTable::rowsChanged, this, &PlanesPanel::sayWhyEmpty);
+    connect(&model_, &PlanesModel::mapChanged, this, &PlanesPanel::sayWhyEmpty);
     connect(table_, &FilteredTable::rowsChanged, this, &PlanesPanel::sumUp);
     connect(&selection_, &MapSelection::changed, this, &PlanesPanel::takeSelection);
     connect(table_, &FilteredTable::linkActivated, this, [this](const QString& link) {
@@ -158,8 +166,6 @@ void PlanesPanel::giveSelection()
 
 void PlanesPanel::sayWhyEmpty()
 {
-    if (model_.rowCount() > 0)
-        return;
     const auto& map = model_.map();
     QString text = tr("No planes yet. The first fit happens at step %1.").arg(parameters_.schedule.fitEvery);
     if (map && map->finished) {
@@ -170,8 +176,7 @@ void PlanesPanel::sayWhyEmpty()
                    .arg(unfitted)
                    .arg(QLatin1String(kMinSegmentsKey.data(), static_cast<qsizetype>(kMinSegmentsKey.size())));
     }
-    if (text != table_->shownInstead())
-        table_->setEmptyText(text);
+    table_->setEmptyText(text);
 }
 
 void PlanesPanel::sumUp()

@@ -43,6 +43,10 @@ SegmentsPanel::SegmentsPanel(SegmentsModel& model, MapSelection& selection, QWid
     unfittedOnly_->setToolTip(tr("Shows segments that belong to no plane"));
     table_->top()->addWidget(unfittedOnly_);
     table_->view()->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    const QString point = QStringLiteral("-00.00 -00.00 -00.00");
+    table_->setWidths({QStringLiteral("1000.00"), QStringLiteral("1000"), QStringLiteral("unfitted"),
+                       QStringLiteral("P000"), QStringLiteral("C000"), QStringLiteral("00.00"), QStringLiteral("0000"),
+                       QStringLiteral("00.0"), point, point});
 
     connect(unfittedOnly_, &QCheckBox::toggled, this, [this](bool only) {
         table_->setEmptyText(only ? tr("Every segment belongs to a plane.")

@@ -97,7 +97,7 @@ SimulatorForm::SimulatorForm(QWidget* parent)
 {
     auto* form = new QFormLayout(this);
     form->setContentsMargins({});
-    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     const auto add = [&](const QString& label, QWidget* field, const QString& name) {
         field->setObjectName(name);
         field->setAccessibleName(QString(label).remove('&'));

@@ -28,6 +28,26 @@ void drawRing(QPainter* painter, const QRectF& rectangle, const QColor& colour)
     painter->restore();
 }
 
+/// A line of one pixel, 3 : 1 at least against what is on either side of it: where a control begins and ends.
+void drawEdge(QPainter* painter, const QRectF& rectangle, const QStyleOption* option)
+{
+    QColor colour = option->palette.color(QPalette::WindowText);
+    constexpr float kStrength = 0.55F;
+    colour.setAlphaF(option->state.testFlag(QStyle::State_Enabled) ? kStrength : kStrength / 2.0F);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen(colour, 1.0));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRoundedRect(rectangle.adjusted(0.5, 0.5, -0.5, -0.5), 2.0, 2.0);
+    painter->restore();
+}
+
+bool hasEdge(QStyle::PrimitiveElement element)
+{
+    return element == QStyle::PE_FrameLineEdit || element == QStyle::PE_IndicatorCheckBox ||
+           element == QStyle::PE_IndicatorItemViewItemCheck || element == QStyle::PE_PanelButtonCommand;
+}
+
 bool isClicked(QStyle::ContentsType type)
 {
     switch (type) {
@@ -66,6 +86,8 @@ void ClearStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         return;
     }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (hasEdge(element))
+        drawEdge(painter, option->rect, option);
     if (element == PE_FrameLineEdit && option->state.testFlag(State_HasFocus))
         drawRing(painter, option->rect, colour);
 }
@@ -74,9 +96,17 @@ void ClearStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
                                     const QWidget* widget) const
 {
     QProxyStyle::drawComplexControl(control, option, painter, widget);
+    if (control == CC_ComboBox || control == CC_SpinBox)
+        drawEdge(painter, option->rect, option);
     const bool ringed = control == CC_ComboBox || control == CC_SpinBox || control == CC_Slider;
     if (ringed && option->state.testFlag(State_HasFocus))
         drawRing(painter, option->rect, option->palette.color(QPalette::Highlight));
+}
+
+QRect ClearStyle::subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const
+{
+    // The ring goes around the whole cell, whatever is in it.
+    return element == SE_ItemViewItemFocusRect ? option->rect : QProxyStyle::subElementRect(element, option, widget);
 }
 
 QSize ClearStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,

@@ -7,7 +7,8 @@
 
 namespace planewright {
 
-/// Qt's Fusion with a focus ring of two pixels around whatever has the keyboard, and no target below 28 pixels.
+/// Qt's Fusion with a focus ring of two pixels around whatever has the keyboard, edges that can be seen on light and
+/// dark, and no target below 28 pixels.
 class ClearStyle : public QProxyStyle {
     Q_OBJECT
 
@@ -18,6 +19,7 @@ public:
                        const QWidget* widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override;
+    QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override;
     QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                            const QWidget* widget) const override;
 };

@@ -32,7 +32,7 @@ Colours coloursOf(Theme theme)
                 .alternate = {37, 40, 46},
                 .button = {56, 60, 68},
                 .text = {232, 234, 238},
-                .dimmed = {160, 165, 173},
+                .dimmed = {170, 175, 183},
                 .accent = {110, 170, 255},
                 .onAccent = {12, 18, 28},
                 .link = {128, 184, 255},
