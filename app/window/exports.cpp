@@ -16,13 +16,13 @@ constexpr double kCutHeight = 1.0;  // above the floor [m]
 ResultWriter writerOf(ExportKind kind, std::string_view suffix)
 {
     switch (kind) {
-        case ExportKind::Points:
+        case ExportKind::ScanPoints:
             return pointsWriter(suffix);
-        case ExportKind::Segments:
+        case ExportKind::LineSegments:
             return segmentsWriter(suffix);
         case ExportKind::FloorPlan:
             return floorPlanWriter(kCutHeight, [](std::string_view) {});
-        case ExportKind::Planes:
+        case ExportKind::PlanesFound:
             break;
     }
     return planesWriter(suffix);
@@ -51,13 +51,13 @@ ScanResults resultsOf(const WindowParts& parts, bool withLabels)
 std::span<const std::string_view> suffixesOf(ExportKind kind)
 {
     switch (kind) {
-        case ExportKind::Points:
+        case ExportKind::ScanPoints:
             return kPointsSuffixes;
-        case ExportKind::Segments:
+        case ExportKind::LineSegments:
             return kSegmentsSuffixes;
         case ExportKind::FloorPlan:
             return kFloorPlanSuffixes;
-        case ExportKind::Planes:
+        case ExportKind::PlanesFound:
             break;
     }
     return kPlanesSuffixes;
@@ -74,7 +74,7 @@ Result<void> exportScan(const WindowParts& parts, ExportKind kind, const QString
     const auto output = OutputFile::open(path, true);
     if (!output)
         return tl::unexpected{output.error()};
-    const ScanResults results = resultsOf(parts, kind == ExportKind::Points);
+    const ScanResults results = resultsOf(parts, kind == ExportKind::ScanPoints);
     const ResultWriter writer = writerOf(kind, *suffix);
     return (*output)
         ->write([&](std::ostream& out) { return writer(out, results); })

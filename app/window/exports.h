@@ -14,7 +14,7 @@
 namespace planewright {
 
 /// What can be exported of a scan.
-enum class ExportKind { Planes, Points, Segments, FloorPlan };
+enum class ExportKind { PlanesFound, ScanPoints, LineSegments, FloorPlan };
 
 /// Suffixes of a kind's files, the usual one first.
 std::span<const std::string_view> suffixesOf(ExportKind kind);

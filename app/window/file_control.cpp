@@ -49,11 +49,11 @@ FileControl::FileControl(WindowParts& parts, ScanControl& scan) : QObject(&parts
     });
     on("actSaveCopy", [this] { saveCopy(); });
     on("actExportPlanes",
-       [this] { exportWithDialog(ExportKind::Planes, tr("Export planes"), QStringLiteral("planes.csv")); });
+       [this] { exportWithDialog(ExportKind::PlanesFound, tr("Export planes"), QStringLiteral("planes.csv")); });
     on("actExportPoints",
-       [this] { exportWithDialog(ExportKind::Points, tr("Export points"), QStringLiteral("points.ply")); });
+       [this] { exportWithDialog(ExportKind::ScanPoints, tr("Export points"), QStringLiteral("points.ply")); });
     on("actExportSegments",
-       [this] { exportWithDialog(ExportKind::Segments, tr("Export segments"), QStringLiteral("segments.csv")); });
+       [this] { exportWithDialog(ExportKind::LineSegments, tr("Export segments"), QStringLiteral("segments.csv")); });
     on("actExportFloorPlan",
        [this] { exportWithDialog(ExportKind::FloorPlan, tr("Export floor plan"), QStringLiteral("plan.dxf")); });
     on("actScreenshot", [this] { takeScreenshot(); });

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/common/plane_words.h"
+#include "ui/panels/filtered_table.h"
 
 namespace planewright {
 

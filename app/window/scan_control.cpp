@@ -76,14 +76,14 @@ void ScanControl::connectActions()
     on("actNewSimulated", [this] { open(QString::fromStdString(addressOf(parts_.sourcePanel->simulation())), true); });
     QAction* record = actions[QStringLiteral("actRecord")];
     record->setChecked(parts_.settings.value(QStringLiteral("scan/record"), false).toBool());
-    const auto applyRecord = [this](bool on) {
+    const auto applyRecord = [this](bool records) {
         QString folder = QString::fromStdString(parts_.preferences.recordFolder);
         if (folder.isEmpty())
             folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Planewright";
-        if (on)
+        if (records)
             QDir().mkpath(folder);
-        parts_.session.setRecordFolder(on ? folder.toStdString() : std::string());
-        parts_.settings.setValue(QStringLiteral("scan/record"), on);
+        parts_.session.setRecordFolder(records ? folder.toStdString() : std::string());
+        parts_.settings.setValue(QStringLiteral("scan/record"), records);
     };
     connect(record, &QAction::toggled, this, applyRecord);
     connect(&parts_, &WindowParts::preferencesChanged, this,

@@ -5,7 +5,7 @@
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core DBus Gui OpenGLWidgets Widgets)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel RenderingCore RenderingOpenGL2 glew opengl)
 
-# planewright_window_program(<target>): VTK's factories are filled where a program is linked, not in libraries.
-function(planewright_window_program target)
+# planewright_vtk_factories(<target>): fills VTK's factories from a library's sources, so that no program has to.
+function(planewright_vtk_factories target)
     vtk_module_autoinit(TARGETS ${target} MODULES VTK::RenderingCore VTK::RenderingOpenGL2)
 endfunction()

@@ -249,7 +249,7 @@ void WindowTest::exportsAreTheBytesOfTheCommandLine()
     openCorridor();
     const QString file = folder_.filePath("planes.csv");
 
-    const auto done = exportScan(*parts_, ExportKind::Planes, file);
+    const auto done = exportScan(*parts_, ExportKind::PlanesFound, file);
 
     QVERIFY2(done, done ? "" : done.error().message.c_str());
     // The same slices in one go, as the command line extracts them.
