@@ -141,7 +141,7 @@ void MainWindow::makeToolBar()
     constexpr Button kButtons[]{{"actStart", "▶ Scan"},
                                 {"actPause", "❚❚ Pause"},
                                 {"actFinish", "■ Finish"},
-                                {"actStopMotion", "⛔ Stop motion"},
+                                {"actStopMotion", "Stop motion"},
                                 {"", ""},
                                 {"actOpen", "Open"},
                                 {"actExportPlanes", "Export"},
@@ -161,7 +161,7 @@ void MainWindow::makeToolBar()
     }
     // Stopping must be found at once.
     bar->widgetForAction((*actions_)[QStringLiteral("actStopMotion")])
-        ->setStyleSheet(QStringLiteral("QToolButton { font-weight: bold; }"));
+        ->setStyleSheet(QStringLiteral("QToolButton { font-weight: bold; color: white; background: #b3261e; border-radius: 4px; padding: 2px 10px; }"));
 }
 
 void MainWindow::makeStatusBar()

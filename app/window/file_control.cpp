@@ -209,7 +209,7 @@ void FileControl::validate()
     parts_.window->showBottomPanel(QStringLiteral("logPanel"));
     parts_.window->banner().showMessage(
         count > 0 ? Banner::Kind::Problem : Banner::Kind::Notice,
-        count > 0 ? tr("%1: %n problem(s); the log lists them.", nullptr, static_cast<int>(count)).arg(file)
+        count > 0 ? tr("%1: problems found: %2; the log lists them.").arg(file).arg(count)
                   : tr("%1: no problem found.").arg(file));
 }
 

@@ -9,6 +9,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "core/formats/recording_csv.h"
+
 namespace planewright {
 
 namespace {
@@ -224,12 +226,19 @@ void ScanControl::refreshOverlay()
     const auto steps = [&] { return QStringLiteral(" %1/%2").arg(map.step + 1).arg(planned); };
     if (state == SessionState::Scanning || state == SessionState::Replaying || state == SessionState::Paused)
         content.stateText += steps();
-    if (state == SessionState::Review && map.snapshot) {
-        const bool whole = planned > 0 && map.step + 1 >= planned;
-        content.stateText = (whole ? tr("✔ Complete") : tr("◐ Partial")) + steps() +
-                            tr(", %n plane(s)", nullptr, static_cast<int>(map.planes.size()));
-        if (!whole)
-            content.stateColour = QColor(QStringLiteral("#8a5a00"));
+    if ((state == SessionState::Review || state == SessionState::ReadOnly) && map.snapshot) {
+        const int last = status.extracted > 0 ? parts_.session.mapAt(planned > 0 ? planned : kMaxStep)->step : map.step;
+        const bool whole = planned > 0 && last + 1 >= planned;
+        if (state == SessionState::Review) {
+            content.stateText = (whole ? tr("✔ Complete") : tr("◐ Partial"));
+            if (!whole)
+                content.stateColour = QColor(QStringLiteral("#8a5a00"));
+        }
+        content.stateText += QStringLiteral(" %1/%2").arg(last + 1).arg(planned);
+        if (map.step < last)
+            content.stateText += tr(", seen at step %1").arg(map.step + 1);
+        const auto planes = static_cast<int>(map.planes.size());
+        content.stateText += planes == 1 ? tr(", 1 plane") : tr(", %1 planes").arg(planes);
     }
     if (map.snapshot) {
         std::size_t points = 0;
@@ -237,8 +246,8 @@ void ScanControl::refreshOverlay()
             points += slice->ranges.size();
         const QLocale c = QLocale::c();
         content.facts = {
-            tr("points %1").arg(c.toString(static_cast<qulonglong>(points))),
-            tr("segments %1").arg(c.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
+            tr("points %1").arg(grouped.toString(static_cast<qulonglong>(points))),
+            tr("segments %1").arg(grouped.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
             tr("planes %1").arg(map.planes.size())};
     }
     if (state == SessionState::Ready && !map.snapshot)
@@ -268,7 +277,7 @@ void ScanControl::takeStatus(const SessionStatus& status)
     if (!status.recording.empty() && status.freeBytes)
         recording += tr(", %1 free").arg(bytes(*status.freeBytes));
     if (status.notOnDisk > 0)
-        recording += tr(", %n slice(s) not on disk", nullptr, static_cast<int>(status.notOnDisk));
+        recording += tr(", %1 slices not on disk").arg(status.notOnDisk);
     window.setStatus(QStringLiteral("stRec"), recording, QString::fromStdString(status.recording),
                      status.notOnDisk > 0);
     refreshActions();
