@@ -17,9 +17,9 @@ constexpr std::int64_t kLatestTime = 9'000'000'000'000'000;  // [µs], as in CSV
 constexpr double kLargestAngle = 360.0;
 
 /// Rows of one scan that may be unreadable until the rest is given up.
-constexpr int kMostFailures = 1000;
+constexpr int kMostFailures = 50;
 
-enum Column { kStep, kTime, kPitch, kPitchEnd, kCommanded, kBearing, kFlags, kCheckSum, kSize, kRanges };
+enum Column { kStep, kTime, kPitch, kPitchEnd, kCommanded, kBearing, kFlags, kCheckSum, kScan, kSize, kRanges };
 
 /// A value of a wrong type becomes a text without being read: it may be larger than the memory.
 std::string numberOrText(const std::string& column)
@@ -33,14 +33,16 @@ std::string wholeOrText(const std::string& column)
     return "CASE typeof(" + column + ") WHEN 'integer' THEN " + column + " ELSE '' END, ";
 }
 
+/// The rows of a scan and, after them, of the next: an upper bound would make SQLite load every row as a whole, with
+/// all the ranges that it says it has, only to compare its key.
 std::string selection()
 {
     return "SELECT " + wholeOrText("step") + wholeOrText("time_us") + numberOrText("pitch_deg") +
            numberOrText("pitch_end_deg") + numberOrText("pitch_commanded_deg") + numberOrText("bearing_start_deg") +
-           wholeOrText("flags") + wholeOrText("crc32") +
+           wholeOrText("flags") + wholeOrText("crc32") + wholeOrText("scan_id") +
            "CASE typeof(ranges) WHEN 'blob' THEN length(ranges) ELSE -1 END, "
            "CASE WHEN typeof(ranges)='blob' AND length(ranges)=?1 THEN ranges END "
-           "FROM slice NOT INDEXED WHERE scan_id=?2 AND step>?3 ORDER BY step LIMIT -1 OFFSET ?4";
+           "FROM slice NOT INDEXED WHERE (scan_id, step)>(?2, ?3) ORDER BY scan_id, step LIMIT -1 OFFSET ?4";
 }
 
 /// Turns the rows of one scan into slices, and holds each against the one before.
@@ -174,7 +176,7 @@ Result<void> readSlices(SqlDatabase& database, int scan, const ScanDescription& 
             rows->bind(static_cast<std::int64_t>(4 * beams)).bind(std::int64_t{scan}).bind(last).bind(++unreadable);
             continue;
         }
-        if (!*there)
+        if (!*there || rows->integerIf(kScan) != std::int64_t{scan})
             return {};
         if (row++ == kMaxSlices || (ranges += beams) > kMaxRanges) {
             listener.onProblem(place + ": there are more slices than a recording may hold; the first " +
