@@ -175,8 +175,9 @@ void edit(Extraction& extraction, const std::vector<Edit>& edits, const std::str
 {
     const EditedPlanes edited =
         applyEdits(*extraction.result.snapshot, edits, extraction.recording.description, extraction.parameters);
+    const std::string place = path + ": ";
     for (const std::string& problem : edited.problems)
-        printWarning(path + ": " + problem);
+        printWarning(place + problem);
     extraction.result.snapshot = std::make_shared<const Snapshot>(withPlanes(*extraction.result.snapshot, edited));
     extraction.planes = planeResults(edited.planes, extraction.result.snapshot->segments);
 }

@@ -126,13 +126,12 @@ Result<std::string_view> checkRecordingTarget(const std::string& path)
     auto suffix = suffixOf(path, kRecordingSuffixes, "a recording");
     if (!suffix || *suffix != kPwscanSuffix)
         return suffix;
-    for (const char* const beside : {"-wal", "-journal"}) {
+    for (const std::string& beside : {path + "-wal", path + "-journal"}) {
         struct stat status {};
-        if (::stat((path + beside).c_str(), &status) == 0 && status.st_size > 0)
-            return fail(ErrorCode::NotWritten, path +
-                                                   ": a recording of this name is being written, or was broken off "
-                                                   "and left " +
-                                                   path + beside + "; give another name");
+        if (::stat(beside.c_str(), &status) == 0 && status.st_size > 0)
+            return fail(ErrorCode::NotWritten,
+                        path + ": a recording of this name is being written, or was broken off and left " + beside +
+                            "; give another name");
     }
     return suffix;
 }

@@ -153,7 +153,11 @@ Result<void> readSlices(SqlDatabase& database, int scan, const ScanDescription& 
                         const SliceListener& listener)
 {
     const auto beams = static_cast<std::size_t>(description.beams);
-    const std::string place = "scan " + std::to_string(scan);
+    const auto tell = [&](std::string_view where, std::string_view what) {
+        std::string problem = "scan " + std::to_string(scan);
+        problem.append(where).append(what);
+        listener.onProblem(problem);
+    };
     auto rows = database.prepare(selection());
     if (!rows)
         return tl::unexpected{rows.error()};
@@ -165,13 +169,12 @@ Result<void> readSlices(SqlDatabase& database, int scan, const ScanDescription& 
     for (int row = 0;;) {
         const Result<bool> there = rows->step();
         if (!there) {
-            const std::string after = row == 0 ? "the first slices" : "the slices after step " + std::to_string(last);
+            const std::string after = row == 0 ? "at its beginning" : "after step " + std::to_string(last);
             if (!database.failedByDamage() || ++failures > kMostFailures) {
-                listener.onProblem(place + ": " + after +
-                                   " cannot be read, the file is damaged; those before are used");
+                tell(": the slices ", after + " cannot be read, the file is damaged; those before are used");
                 return {};
             }
-            listener.onProblem(place + ": one of " + after + " cannot be read, the file is damaged; it is not used");
+            tell(": a slice ", after + " cannot be read, the file is damaged; it is not used");
             rows->reset();
             rows->bind(static_cast<std::int64_t>(4 * beams)).bind(std::int64_t{scan}).bind(last).bind(++unreadable);
             continue;
@@ -179,16 +182,16 @@ Result<void> readSlices(SqlDatabase& database, int scan, const ScanDescription& 
         if (!*there || rows->integerIf(kScan) != std::int64_t{scan})
             return {};
         if (row++ == kMaxSlices || (ranges += beams) > kMaxRanges) {
-            listener.onProblem(place + ": there are more slices than a recording may hold; the first " +
-                               std::to_string(row - 1) + " are used");
+            tell(": there are more slices than a recording may hold; the first ",
+                 std::to_string(row - 1) + " are used");
             return {};
         }
         const auto step = rows->integerIf(kStep);
         if (auto slice = reader.read())
             listener.onSlice(std::move(*slice));
         else
-            listener.onProblem(place + ", step " + (step ? std::to_string(*step) : std::string{"?"}) + ": " +
-                               reader.problem + "; the slice is not used");
+            tell(", step " + (step ? std::to_string(*step) : std::string{"?"}) + ": ",
+                 reader.problem + "; the slice is not used");
         if (step && *step > last) {
             last = *step;
             unreadable = 0;
