@@ -118,8 +118,9 @@ void edit(ScanResults& extraction, const std::vector<Edit>& edits, const std::st
 {
     const EditedPlanes edited =
         applyEdits(*extraction.snapshot, edits, extraction.recording.description, extraction.parameters);
+    const std::string place = path + ": ";
     for (const std::string& problem : edited.problems)
-        printWarning(path + ": " + problem);
+        printWarning(place + problem);
     extraction.snapshot = std::make_shared<const Snapshot>(withPlanes(*extraction.snapshot, edited));
     extraction.planes = planeResults(edited.planes, extraction.snapshot->segments);
 }

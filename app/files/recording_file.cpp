@@ -111,13 +111,13 @@ Result<std::string_view> checkRecordingTarget(const std::string& path)
     auto suffix = suffixOf(path, kRecordingSuffixes, "a recording");
     if (!suffix || *suffix != kPwscanSuffix)
         return suffix;
+    const std::string taken = path + ": a recording of this name is being written, or was broken off and left ";
     for (const char* const beside : {"-wal", "-journal"}) {
         struct stat status {};
-        if (::stat((path + beside).c_str(), &status) == 0 && status.st_size > 0)
-            return fail(ErrorCode::NotWritten, path +
-                                                   ": a recording of this name is being written, or was broken off "
-                                                   "and left " +
-                                                   path + beside + "; give another name");
+        std::string left = path;
+        left += beside;
+        if (::stat(left.c_str(), &status) == 0 && status.st_size > 0)
+            return fail(ErrorCode::NotWritten, taken + left.append("; give another name"));
     }
     return suffix;
 }

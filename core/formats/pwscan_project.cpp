@@ -30,7 +30,7 @@ constexpr std::string_view kNoPermission =
 /// Finds out whether a change could be made, without making one.
 Result<void> tryToWrite(SqlDatabase& database)
 {
-    const Result<void> begun = database.run("PRAGMA synchronous=FULL; BEGIN IMMEDIATE");
+    Result<void> begun = database.run("PRAGMA synchronous=FULL; BEGIN IMMEDIATE");
     if (!begun)
         return begun;
     return database.run("ROLLBACK");

@@ -24,7 +24,7 @@ void addCrossings(const std::vector<Eigen::Vector3d>& ring, double height, std::
         if ((a.z() < height) == (b.z() < height))
             continue;
         const double share = (height - a.z()) / (b.z() - a.z());
-        crossings.push_back((a + share * (b - a)).head<2>());
+        crossings.emplace_back((a + share * (b - a)).head<2>());
     }
 }
 
