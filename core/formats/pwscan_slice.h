@@ -14,6 +14,11 @@
 
 namespace planewright {
 
+/// The bits of a slice's `flags`.
+inline constexpr std::int64_t kSliceAngleSuspect = 1;
+inline constexpr std::int64_t kSliceTimeSuspect = 2;
+inline constexpr std::int64_t kSliceRetaken = 4;
+
 /// Ranges as `.pwscan` holds them: a uint32 of millimetres each, the lowest byte first. Nothing where one is more than
 /// a recording can hold.
 std::optional<std::string> packedRanges(const std::vector<double>& ranges);

@@ -18,9 +18,6 @@ class CliExtractTest : public QObject {
 private slots:
     void initTestCase();
     void writesEveryKindOfOutput();
-    void drawingsHaveALayerForEachClass();
-    void planIsCutWhereItIsAskedFor();
-    void planWithoutAFloorIsCutAtThePitchAxis();
     void withoutOutputsPrintsATable();
     void untilIsAsIfTheScanHadEndedThere();
     void untilBeforeTheFirstStepIsAnError();
@@ -82,44 +79,6 @@ void CliExtractTest::writesEveryKindOfOutput()
     QCOMPARE(bytesOf(path("labels")).count('\n'), 80);
     QVERIFY(bytesOf(path("h.ndjson")).startsWith("{\"format\":\"planewright-history 1\""));
     QVERIFY(bytesOf(path("stats.json")).startsWith("{\"format\":\"planewright-stats 1\""));
-}
-
-void CliExtractTest::drawingsHaveALayerForEachClass()
-{
-    const ProgramRun run = extract({"--planes", "d.dxf", "--floor-plan", "plan.dxf", "--planes", "d.csv"});
-    const QByteArray drawing = bytesOf(path("d.dxf"));
-    const QByteArray plan = bytesOf(path("plan.dxf"));
-
-    QVERIFY2(run.code == 0, run.err);
-    QCOMPARE(drawing.count("  0\nLAYER\n"), 3);
-    for (const char* layer : {"floor", "ceiling", "wall"}) {
-        QVERIFY(drawing.contains(QByteArray("  0\n3DFACE\n  8\n") + layer + "\n"));
-        QVERIFY(bytesOf(path("d.csv")).contains(QByteArray(",") + layer + "\n"));
-    }
-    QVERIFY(!plan.contains("3DFACE"));
-    QVERIFY(plan.count("  0\nLINE\n  8\nwall\n") >= 10);  // the room has ten walls
-    QCOMPARE(plan.count("  0\nLINE\n"), plan.count("  0\nLINE\n  8\nwall\n"));
-}
-
-void CliExtractTest::planIsCutWhereItIsAskedFor()
-{
-    // Its walls end at the ceiling, 2.9 m above its floor.
-    QCOMPARE(extract({"--floor-plan", "high.dxf", "--cut-height", "3.5"}).code, 0);
-    QCOMPARE(extract({"--floor-plan", "low.dxf", "--cut-height", "0.5"}).code, 0);
-
-    QCOMPARE(bytesOf(path("high.dxf")).count("  0\nLINE\n"), 0);
-    QVERIFY(bytesOf(path("low.dxf")).count("  0\nLINE\n") >= 10);
-    QCOMPARE(extract({"--floor-plan", "x.dxf", "--cut-height", "-1"}).code, 2);
-    QCOMPARE(extract({"--floor-plan", "x.svg"}).code, 2);
-}
-
-void CliExtractTest::planWithoutAFloorIsCutAtThePitchAxis()
-{
-    const ProgramRun run = extract({"--floor-plan", "few.dxf", "--until", "0"});
-
-    QCOMPARE(run.code, 0);
-    QCOMPARE(run.err, QByteArray("planewright-cli: warning: no floor is found; the plan is cut at the height of the "
-                                 "pitch axis\n"));
 }
 
 void CliExtractTest::withoutOutputsPrintsATable()

@@ -1,16 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "core/formats/pwscan_slice.h"
-
 #include <chrono>
 #include <cmath>
 #include <limits>
 
-#include <zlib.h>
-
-#include "core/formats/little_endian.h"
-#include "core/formats/recorded_slice.h"
+#include "core/formats/pwscan_slice.h"
 #include "core/formats/recording_csv.h"
 #include "core/types/angle.h"
 
@@ -22,13 +17,9 @@ constexpr std::int64_t kLatestTime = 9'000'000'000'000'000;  // [µs], as in CSV
 constexpr double kLargestAngle = 360.0;
 
 /// Rows of one scan that may be unreadable until the rest is given up.
-constexpr int kMostFailures = 1000;
+constexpr int kMostFailures = 50;
 
-constexpr std::int64_t kAngleSuspect = 1;
-constexpr std::int64_t kTimeSuspect = 2;
-constexpr std::int64_t kRetaken = 4;
-
-enum Column { kStep, kTime, kPitch, kPitchEnd, kCommanded, kBearing, kFlags, kCheckSum, kSize, kRanges };
+enum Column { kStep, kTime, kPitch, kPitchEnd, kCommanded, kBearing, kFlags, kCheckSum, kScan, kSize, kRanges };
 
 /// A value of a wrong type becomes a text without being read: it may be larger than the memory.
 std::string numberOrText(const std::string& column)
@@ -42,14 +33,16 @@ std::string wholeOrText(const std::string& column)
     return "CASE typeof(" + column + ") WHEN 'integer' THEN " + column + " ELSE '' END, ";
 }
 
+/// The rows of a scan and, after them, of the next: an upper bound would make SQLite load every row as a whole, with
+/// all the ranges that it says it has, only to compare its key.
 std::string selection()
 {
     return "SELECT " + wholeOrText("step") + wholeOrText("time_us") + numberOrText("pitch_deg") +
            numberOrText("pitch_end_deg") + numberOrText("pitch_commanded_deg") + numberOrText("bearing_start_deg") +
-           wholeOrText("flags") + wholeOrText("crc32") +
+           wholeOrText("flags") + wholeOrText("crc32") + wholeOrText("scan_id") +
            "CASE typeof(ranges) WHEN 'blob' THEN length(ranges) ELSE -1 END, "
            "CASE WHEN typeof(ranges)='blob' AND length(ranges)=?1 THEN ranges END "
-           "FROM slice NOT INDEXED WHERE scan_id=?2 AND step>?3 ORDER BY step LIMIT -1 OFFSET ?4";
+           "FROM slice NOT INDEXED WHERE (scan_id, step)>(?2, ?3) ORDER BY scan_id, step LIMIT -1 OFFSET ?4";
 }
 
 /// Turns the rows of one scan into slices, and holds each against the one before.
@@ -148,57 +141,13 @@ std::optional<ScanSlice> SliceRows::read()
     slice.firstBearing = bearing.value_or(description_.firstBearing);
     slice.ownBearing = bearing.has_value();
     slice.bearingStep = description_.bearingStep;
-    slice.angleSuspect = (*flags & kAngleSuspect) != 0;
-    slice.timeSuspect = (*flags & kTimeSuspect) != 0;
-    slice.retaken = (*flags & kRetaken) != 0;
+    slice.angleSuspect = (*flags & kSliceAngleSuspect) != 0;
+    slice.timeSuspect = (*flags & kSliceTimeSuspect) != 0;
+    slice.retaken = (*flags & kSliceRetaken) != 0;
     return slice;
 }
 
 }  // namespace
-
-std::optional<std::string> packedRanges(const std::vector<double>& ranges)
-{
-    std::string packed;
-    packed.reserve(4 * ranges.size());
-    for (const double range : ranges) {
-        const double millimetres = recordedMillimetres(range);
-        if (millimetres > kMaxRangeMillimetres)
-            return std::nullopt;
-        appendLittleEndian(packed, static_cast<std::uint32_t>(millimetres));
-    }
-    return packed;
-}
-
-std::uint32_t checkSum(std::string_view bytes)
-{
-    return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
-
-Result<SqlStatement> prepareSliceInsert(SqlDatabase& database)
-{
-    return database.prepare(
-        "INSERT INTO slice(scan_id, step, time_us, pitch_deg, pitch_end_deg, pitch_commanded_deg, bearing_start_deg, "
-        "flags, ranges, crc32) VALUES(?,?,?,?,?,?,?,?,?,?)");
-}
-
-Result<void> insertSlice(SqlStatement& insert, int scan, const ScanSlice& slice, std::string_view packed)
-{
-    const auto inDegrees = [](const std::optional<double>& angle) {
-        return angle ? std::optional{degreesReadingBackTo(*angle)} : std::nullopt;
-    };
-    insert.bind(std::int64_t{scan})
-        .bind(std::int64_t{slice.step})
-        .bind(std::int64_t{slice.time.count()})
-        .bind(degreesReadingBackTo(slice.tilt))
-        .bind(inDegrees(slice.tiltEnd))
-        .bind(inDegrees(slice.tiltCommanded))
-        .bind(inDegrees(slice.ownBearing ? std::optional{slice.firstBearing} : std::nullopt))
-        .bind(std::int64_t{(slice.angleSuspect ? kAngleSuspect : 0) | (slice.timeSuspect ? kTimeSuspect : 0) |
-                           (slice.retaken ? kRetaken : 0)})
-        .bindBlob(packed)
-        .bind(std::int64_t{checkSum(packed)});
-    return insert.run();
-}
 
 Result<void> readSlices(SqlDatabase& database, int scan, const ScanDescription& description, std::size_t& ranges,
                         const SliceListener& listener)
@@ -227,7 +176,7 @@ Result<void> readSlices(SqlDatabase& database, int scan, const ScanDescription& 
             rows->bind(static_cast<std::int64_t>(4 * beams)).bind(std::int64_t{scan}).bind(last).bind(++unreadable);
             continue;
         }
-        if (!*there)
+        if (!*there || rows->integerIf(kScan) != std::int64_t{scan})
             return {};
         if (row++ == kMaxSlices || (ranges += beams) > kMaxRanges) {
             listener.onProblem(place + ": there are more slices than a recording may hold; the first " +
