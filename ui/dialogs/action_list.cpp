@@ -15,6 +15,7 @@ QString plain(QString text)
 {
     text.replace(QStringLiteral("&&"), QStringLiteral("\x01"));
     text.remove('&');
+    text = text.section('\t', 0, 0);  // behind it stand keys
     return text.replace(QStringLiteral("\x01"), QStringLiteral("&"));
 }
 

@@ -51,7 +51,7 @@ constexpr std::array<FilterKey, 22> kKeys{{
 bool isText(PlaneColumn column)
 {
     return column == PlaneColumn::Id || column == PlaneColumn::Name || column == PlaneColumn::Class ||
-           column == PlaneColumn::MadeOf || column == PlaneColumn::State;
+           column == PlaneColumn::MadeOf || column == PlaneColumn::State || column == PlaneColumn::Lock;
 }
 
 /// True where nothing of a row is another, given the same id.

@@ -43,7 +43,7 @@ QStringList PresetFolder::load(ParameterModel& model) const
 Result<void> PresetFolder::save(const QString& name, const Parameters& parameters) const
 {
     std::ostringstream out;
-    if (const auto written = writePresetFile(out, parameters); !written)
+    if (auto written = writePresetFile(out, parameters); !written)
         return written;
     const QByteArray text = QByteArray::fromStdString(out.str());
     QSaveFile file(folder_.filePath(name + QStringLiteral(".json")));

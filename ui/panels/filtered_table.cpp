@@ -10,6 +10,7 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
@@ -65,8 +66,7 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
       top_(new QHBoxLayout),
       rows_(new FilterProxyModel(keys, this)),
       filter_(new FilterBox(
-          texts.filterName, texts.filterPlaceholder,
-          [this](const QString& query) { return rows_->setQuery(query + ' ' + requirement_); }, this)),
+          texts.filterName, texts.filterPlaceholder, [this](const QString& query) { return setQuery(query); }, this)),
       stack_(new QStackedWidget(this)),
       view_(makeView(texts, this)),
       instead_(makeInstead(this)),
@@ -96,12 +96,15 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
     layout->addWidget(footer_);
 
     copyAction_->setObjectName(QStringLiteral("actCopyRows"));
-    copyAction_->setShortcut(QKeySequence::Copy);
-    copyAction_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    view_->addAction(copyAction_);
+    addTableAction(copyAction_, QKeySequence::Copy);
+    view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    view_->installEventFilter(this);
     connect(copyAction_, &QAction::triggered, this, [this] { QGuiApplication::clipboard()->setText(rowsAsText()); });
     connect(view_->horizontalHeader(), &QWidget::customContextMenuRequested, this, &FilteredTable::showColumnMenu);
-    connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &FilteredTable::chosenChanged);
+    connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        if (!filtering_)
+            emit chosenChanged();
+    });
     connect(filter_, &FilterBox::applied, this, &FilteredTable::showWhatFits);
     // The proxy lets go of rows before its source has; only the source's own signal knows that none is left.
     for (const QAbstractItemModel* changing : {static_cast<QAbstractItemModel*>(rows_), model}) {
@@ -117,6 +120,39 @@ FilteredTable::FilteredTable(QAbstractItemModel* model, std::span<const FilterKe
             emit linkActivated(link);
     });
     showWhatFits();
+}
+
+std::optional<FilterProblem> FilteredTable::setQuery(const QString& query)
+{
+    filtering_ = true;
+    auto problem = rows_->setQuery(query + ' ' + requirement_);
+    filtering_ = false;
+    emit filtered();
+    return problem;
+}
+
+void FilteredTable::addTableAction(QAction* action, const QKeySequence& keys)
+{
+    actions_.push_back({action, keys});
+    action->setIconText(action->text());
+    action->setText(action->text() + '\t' + keys.toString(QKeySequence::NativeText));
+    view_->addAction(action);
+}
+
+bool FilteredTable::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+        const auto* pressed = static_cast<QKeyEvent*>(event);
+        for (const TableAction& own : actions_) {
+            if (own.keys != QKeySequence(pressed->keyCombination()))
+                continue;
+            event->accept();  // what is accepted here comes as a key and not as a shortcut of the window
+            if (event->type() == QEvent::KeyPress)
+                own.action->trigger();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void FilteredTable::setEmptyText(const QString& text)

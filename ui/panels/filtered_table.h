@@ -3,10 +3,11 @@
 
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include <QKeySequence>
 #include <QTableView>
 #include <QWidget>
 
@@ -45,6 +46,9 @@ public:
     FilterBox* filter() const { return filter_; }
     /// "Copy rows", `actCopyRows`, Ctrl+C while the table has the keyboard.
     QAction* copyAction() const { return copyAction_; }
+    /// Adds an action with keys that mean it while the table has the keyboard, whatever else they mean in the window:
+    /// shortcuts of both would be ambiguous, and neither would be done.
+    void addTableAction(QAction* action, const QKeySequence& keys);
     /// The line of the filter, for what a panel adds behind it.
     QHBoxLayout* top() const { return top_; }
 
@@ -73,13 +77,25 @@ public:
     bool restoreColumns(const QByteArray& state);
 
 signals:
+    /// Someone has chosen; not told where a filter only hides what is chosen.
     void chosenChanged();
+    /// A query is in force; rows that it brings back are not chosen.
+    void filtered();
     /// A link of the empty text other than "clear".
     void linkActivated(const QString& link);
     /// Rows that are seen have changed.
     void rowsChanged();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    struct TableAction {
+        QAction* action;
+        QKeySequence keys;
+    };
+
+    std::optional<FilterProblem> setQuery(const QString& query);
     void showColumnMenu(const QPoint& place);
     void showWhatFits();
 
@@ -94,6 +110,8 @@ private:
     QString emptyText_;
     QString requirement_;
     std::vector<int> defaultColumns_;
+    std::vector<TableAction> actions_;
+    bool filtering_ = false;
 };
 
 }  // namespace planewright

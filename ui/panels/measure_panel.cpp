@@ -29,7 +29,7 @@ QToolButton* buttonFor(QAction* action, QWidget* parent)
     button->setDefaultAction(action);
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setObjectName(action->objectName() + QStringLiteral("Button"));
-    button->setAccessibleName(action->text());
+    button->setAccessibleName(action->iconText());
     return button;
 }
 
@@ -53,11 +53,8 @@ MeasurePanel::MeasurePanel(MeasurementsModel& model, QWidget* parent)
     layout->addWidget(table_);
     setFocusProxy(table_->view());
     remove_->setObjectName(QStringLiteral("actRemoveMeasurement"));
-    remove_->setShortcut(QKeySequence::Delete);
-    remove_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     remove_->setEnabled(false);
-    table_->view()->addAction(remove_);
-    table_->view()->setContextMenuPolicy(Qt::ActionsContextMenu);
+    table_->addTableAction(remove_, QKeySequence::Delete);
     table_->view()->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->view()->sortByColumn(-1, Qt::AscendingOrder);  // as they were taken
     const QString length = QStringLiteral("-00.00");

@@ -41,7 +41,8 @@ ParameterField::ParameterField(ParameterModel& model, const ParameterRow& row, Q
     : QWidget(parent), model_(model), row_(row), reset_(new QToolButton(this)), problem_(new ProblemLabel(this))
 {
     const QString name = parameterLabel(row);
-    const QString symbol = parameterSymbol(row);
+    // A word joiner keeps "ρ,0" on one line.
+    const QString symbol = parameterSymbol(row).replace(QStringLiteral(","), QStringLiteral(",\u2060"));
     setObjectName(textOf(row.key));
     setToolTip(helpOf(row));
     QWidget* field = makeField();
@@ -123,8 +124,11 @@ void ParameterField::take(const QString& text)
 {
     const QString problem = model_.setText(row_.key, text);
     problem_->tell(problem);
-    if (problem.isEmpty())
-        refresh();
+    if (!problem.isEmpty())
+        return;
+    if (edit_ != nullptr)
+        edit_->setModified(false);
+    refresh();
 }
 
 void ParameterField::refresh()
@@ -134,10 +138,11 @@ void ParameterField::refresh()
         toggle_->setChecked(text == QStringLiteral("true"));
     else if (choices_ != nullptr)
         choices_->setCurrentText(text);
-    else if (!edit_->hasFocus() || problem_->text().isEmpty() || model_.problemOf(row_.key, edit_->text()).isEmpty())
-        edit_->setText(text);
+    else if (text != shown_ || (problem_->text().isEmpty() && !(edit_->hasFocus() && edit_->isModified())))
+        edit_->setText(text);  // otherwise the user is about to write something else
     if (edit_ == nullptr || edit_->text() == text)
         problem_->tell({});
+    shown_ = text;
     const bool changed = model_.isChanged(row_.key);
     reset_->setVisible(changed);
     reset_->setToolTip(tr("Back to the preset “%1”").arg(model_.preset()));

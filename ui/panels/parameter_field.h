@@ -43,6 +43,7 @@ private:
     QLineEdit* edit_ = nullptr;     // of numbers
     QComboBox* choices_ = nullptr;  // of choices
     QCheckBox* toggle_ = nullptr;   // of switches
+    QString shown_;                 // the model's value as it was shown last
     QToolButton* reset_;
     ProblemLabel* problem_;
 };

@@ -4,6 +4,7 @@
 #include "ui/panels/planes_panel.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
 #include <QVBoxLayout>
@@ -94,6 +95,7 @@ PlanesPanel::PlanesPanel(PlanesModel& model, MapSelection& selection, QWidget* p
     connect(table_, &FilteredTable::chosenChanged, this, &PlanesPanel::giveSelection);
     connect(&model_, &PlanesModel::mapChanged, this, &PlanesPanel::sayWhyEmpty);
     connect(table_, &FilteredTable::rowsChanged, this, &PlanesPanel::sumUp);
+    connect(table_, &FilteredTable::filtered, this, &PlanesPanel::takeSelection);
     connect(&selection_, &MapSelection::changed, this, &PlanesPanel::takeSelection);
     connect(table_, &FilteredTable::linkActivated, this, [this](const QString& link) {
         if (link == QStringLiteral("unfitted"))
@@ -105,6 +107,8 @@ PlanesPanel::PlanesPanel(PlanesModel& model, MapSelection& selection, QWidget* p
     connect(view, &QAbstractItemView::entered, this, [this](const QModelIndex& index) {
         selection_.hover(model_.planeAt(table_->rows()->mapToSource(index).row()));
     });
+    connect(view, &QAbstractItemView::viewportEntered, this, [this] { selection_.hover(kNoPlane); });
+    view->viewport()->installEventFilter(this);
     connect(view, &QAbstractItemView::activated, this, [this](const QModelIndex& index) {
         emit zoomRequested(model_.planeAt(table_->rows()->mapToSource(index).row()));
     });
@@ -138,6 +142,13 @@ void PlanesPanel::focusFilter()
     table_->filter()->edit()->selectAll();
 }
 
+bool PlanesPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Leave)
+        selection_.hover(kNoPlane);
+    return QWidget::eventFilter(watched, event);
+}
+
 void PlanesPanel::takeSelection()
 {
     std::vector<int> rows;
@@ -157,7 +168,7 @@ void PlanesPanel::giveSelection()
 {
     if (taking_)
         return;
-    // Planes that the filter keeps out of the table stay chosen only until something is chosen here.
+    // Planes that a filter hides stay chosen only until something is chosen here.
     std::set<PlaneId> planes;
     for (const int row : table_->chosenRows())
         planes.insert(model_.planeAt(row));

@@ -43,6 +43,9 @@ signals:
     /// The pointer or the keyboard is on a plane to be looked at: a double click, or Enter.
     void zoomRequested(planewright::PlaneId plane);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void takeSelection();
     void giveSelection();

@@ -55,6 +55,7 @@ SegmentsPanel::SegmentsPanel(SegmentsModel& model, MapSelection& selection, QWid
     });
     connect(table_, &FilteredTable::chosenChanged, this, &SegmentsPanel::giveSelection);
     connect(table_, &FilteredTable::rowsChanged, this, &SegmentsPanel::sumUp);
+    connect(table_, &FilteredTable::filtered, this, &SegmentsPanel::takeSelection);
     connect(&selection_, &MapSelection::changed, this, &SegmentsPanel::takeSelection);
     sumUp();
 }

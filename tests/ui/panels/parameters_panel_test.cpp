@@ -24,6 +24,7 @@ private slots:
     void everyParameterHasAFieldWithHelp();
     void whatIsTypedIsTakenOverWhenTheFieldIsLeft();
     void whatIsNotAllowedSaysSoBelowAndStays();
+    void whatIsBeingWrittenOutlivesChangesOfOthers();
     void aChangedParameterHasAnArrowBack();
     void aPresetIsChosenFromTheBox();
     void switchesAndChoicesAreTakenAtOnce();
@@ -94,6 +95,26 @@ void ParametersPanelTest::whatIsNotAllowedSaysSoBelowAndStays()
     QCOMPARE(field("segments.split-distance")->problem(), QStringLiteral("Give a number from 0 to 0.5 m."));
     QCOMPARE(edit("segments.split-distance")->text(), QStringLiteral("9"));
     QCOMPARE(model_->parameters().segments.splitDistance, 0.01);  // of the preset "precise"
+}
+
+void ParametersPanelTest::whatIsBeingWrittenOutlivesChangesOfOthers()
+{
+    show();
+    panel_->showParameter("segments.split-distance");
+    edit("segments.split-distance")->selectAll();
+    QTest::keyClicks(edit("segments.split-distance"), "0.2");
+
+    model_->setText("planes.flatness", "0.1");
+    QCOMPARE(edit("segments.split-distance")->text(), QStringLiteral("0.2"));
+    QTest::keyClicks(edit("segments.split-distance"), "x");
+    QTest::keyClick(edit("segments.split-distance"), Qt::Key_Return);
+    model_->setText("planes.flatness", "0.2");
+    QCOMPARE(edit("segments.split-distance")->text(), QStringLiteral("0.2x"));
+    QVERIFY(!field("segments.split-distance")->problem().isEmpty());
+    model_->setPreset("paper");
+
+    QCOMPARE(edit("segments.split-distance")->text(), QStringLiteral("0.03"));
+    QCOMPARE(field("segments.split-distance")->problem(), QString());
 }
 
 void ParametersPanelTest::aChangedParameterHasAnArrowBack()

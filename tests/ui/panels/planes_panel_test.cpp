@@ -36,6 +36,8 @@ private slots:
     void theClassIsChosenFromAList();
     void spaceHidesAPlane();
     void rowsAreCopiedWithTheirHeadings();
+    void ctrlCInTheTableIsTheTablesEvenWhereTheWindowHasIt();
+    void aFilterHidesWhatIsChosenAndKeepsIt();
     void thePointerOnARowIsAHover();
 
 private:
@@ -264,6 +266,34 @@ void PlanesPanelTest::rowsAreCopiedWithTheirHeadings()
                                                                   "shown\tP03\twall\t2.00\t6.50\t2\t0.50\tlive\n"));
 }
 
+void PlanesPanelTest::ctrlCInTheTableIsTheTablesEvenWhereTheWindowHasIt()
+{
+    QAction windowCopy;
+    windowCopy.setShortcut(QKeySequence::Copy);
+    panel_->addAction(&windowCopy);
+    QSignalSpy window(&windowCopy, &QAction::triggered);
+    QGuiApplication::clipboard()->clear();
+    show();
+    view()->setFocus();
+    selection_->select({3});
+
+    QTest::keyClick(view(), Qt::Key_C, Qt::ControlModifier);
+
+    QCOMPARE(window.size(), 0);
+    QVERIFY(QGuiApplication::clipboard()->text().contains("P03"));
+}
+
+void PlanesPanelTest::aFilterHidesWhatIsChosenAndKeepsIt()
+{
+    selection_->select({0, 3});
+
+    panel_->table()->filter()->setQuery("class:floor");
+    QVERIFY(selection_->planes() == (std::set<PlaneId>{0, 3}));
+    panel_->table()->filter()->setQuery("");
+
+    QCOMPARE(panel_->table()->chosenRows(), (std::vector<int>{0, 1}));
+}
+
 void PlanesPanelTest::thePointerOnARowIsAHover()
 {
     show();
@@ -272,6 +302,9 @@ void PlanesPanelTest::thePointerOnARowIsAHover()
                      view()->visualRect(view()->model()->index(2, static_cast<int>(PlaneColumn::Class))).center());
 
     QTRY_COMPARE(selection_->hovered(), 7);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(view()->viewport(), &leave);
+    QCOMPARE(selection_->hovered(), kNoPlane);
 }
 
 }  // namespace planewright
