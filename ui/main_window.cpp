@@ -161,7 +161,8 @@ void MainWindow::makeToolBar()
     }
     // Stopping must be found at once.
     bar->widgetForAction((*actions_)[QStringLiteral("actStopMotion")])
-        ->setStyleSheet(QStringLiteral("QToolButton { font-weight: bold; color: white; background: #b3261e; border-radius: 4px; padding: 2px 10px; }"));
+        ->setStyleSheet(QStringLiteral("QToolButton { font-weight: bold; color: white; background: #b3261e; "
+                                       "border-radius: 4px; padding: 2px 10px; }"));
 }
 
 void MainWindow::makeStatusBar()

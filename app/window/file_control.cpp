@@ -207,10 +207,10 @@ void FileControl::validate()
         parts_.log(LogSeverity::Warning, tr("validate"), QString::fromStdString(text));
     const std::size_t count = problems->problems.size() + problems->more;
     parts_.window->showBottomPanel(QStringLiteral("logPanel"));
-    parts_.window->banner().showMessage(
-        count > 0 ? Banner::Kind::Problem : Banner::Kind::Notice,
-        count > 0 ? tr("%1: problems found: %2; the log lists them.").arg(file).arg(count)
-                  : tr("%1: no problem found.").arg(file));
+    parts_.window->banner().showMessage(count > 0 ? Banner::Kind::Problem : Banner::Kind::Notice,
+                                        count > 0
+                                            ? tr("%1: problems found: %2; the log lists them.").arg(file).arg(count)
+                                            : tr("%1: no problem found.").arg(file));
 }
 
 }  // namespace planewright
