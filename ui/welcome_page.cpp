@@ -3,6 +3,8 @@
 
 #include "ui/welcome_page.h"
 
+#include <cmath>
+
 #include <QFileInfo>
 #include <QFrame>
 #include <QGridLayout>
@@ -23,6 +25,16 @@ constexpr Room kRooms[]{{"office", "Office"},
                         {"stairs", "Stairs"},
                         {"clutter", "Cluttered room"}};
 
+/// A font some times as large, whether its size is told in points or in pixels.
+QFont scaled(QFont font, double factor)
+{
+    if (font.pixelSize() > 0)
+        font.setPixelSize(static_cast<int>(std::lround(factor * font.pixelSize())));
+    else
+        font.setPointSizeF(factor * font.pointSizeF());
+    return font;
+}
+
 /// A framed part of the page with a title and a line of text; buttons come into its layout.
 QVBoxLayout* addCard(QHBoxLayout* row, const QString& title, const QString& text)
 {
@@ -32,9 +44,8 @@ QVBoxLayout* addCard(QHBoxLayout* row, const QString& title, const QString& text
     auto* layout = new QVBoxLayout(card);
     layout->setContentsMargins(18, 16, 18, 16);
     auto* heading = new QLabel(title);
-    QFont font = heading->font();
+    QFont font = scaled(heading->font(), 1.25);
     font.setBold(true);
-    font.setPointSizeF(1.25 * font.pointSizeF());
     heading->setFont(font);
     layout->addWidget(heading);
     auto* line = new QLabel(text);
@@ -63,9 +74,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWi
     auto* page = new QVBoxLayout(this);
     page->setContentsMargins(40, 30, 40, 24);
     auto* title = new QLabel(tr("Watch a room grow into planes"));
-    QFont large = title->font();
-    large.setPointSizeF(1.9 * large.pointSizeF());
-    title->setFont(large);
+    title->setFont(scaled(title->font(), 1.9));
     page->addWidget(title);
     page->addSpacing(12);
 

@@ -244,11 +244,11 @@ void ScanControl::refreshOverlay()
         std::size_t points = 0;
         for (const auto& slice : map.slices)
             points += slice->ranges.size();
-        const QLocale c = QLocale::c();
+        const QLocale grouped(QLocale::English);
         content.facts = {
             tr("points %1").arg(grouped.toString(static_cast<qulonglong>(points))),
             tr("segments %1").arg(grouped.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
-            tr("planes %1").arg(map.planes.size())};
+            tr("planes %1").arg(static_cast<int>(map.planes.size()))};
     }
     if (state == SessionState::Ready && !map.snapshot)
         content.hint = tr("Press F5 to scan %1 steps, about %2 s.")

@@ -126,7 +126,8 @@ void PlanesPanel::setParameters(const Parameters& parameters)
 void PlanesPanel::beginRename()
 {
     QTableView* view = table_->view();
-    const QModelIndex current = view->currentIndex();
+    const QModelIndexList chosen = view->selectionModel()->selectedRows();
+    const QModelIndex current = chosen.isEmpty() ? view->currentIndex() : chosen.front();
     if (!current.isValid())
         return;
     table_->setColumnShown(column(PlaneColumn::Name), true);

@@ -189,7 +189,7 @@ void paintOverlay(QPainter& painter, QSize size, const MapScene& scene, const Ov
     if (!content.hint.isEmpty()) {
         painter.setPen(toQColor(themeColours(scene.theme()).text));
         QFont large = painter.font();
-        large.setPointSizeF(1.3 * large.pointSizeF());
+        large.setBold(true);
         painter.save();
         painter.setFont(large);
         painter.drawText(QRect(QPoint(0, 0), size), Qt::AlignCenter, content.hint);

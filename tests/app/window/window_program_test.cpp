@@ -131,8 +131,8 @@ void WindowProgramTest::linesOfAScriptThatMakeNoSenseAreNamed_data()
         << QByteArray(R"({"do":"action","name":"actFinish"})") << "actFinish is not possible now";
     QTest::newRow("no such object") << QByteArray(R"({"do":"expect","object":"x","property":"y"})")
                                     << "there is no object x";
-    QTest::newRow("no such property") << QByteArray(R"({"do":"set","object":"view3d","property":"y","value":1})")
-                                      << "has no property y";
+    QTest::newRow("no such property") << QByteArray(R"({"do":"set","object":"view3d","property":"sense","value":1})")
+                                      << "has no property sense";
     QTest::newRow("unknown state") << QByteArray(R"({"do":"wait","state":"bored"})") << "there is no state bored";
     QTest::newRow("plane that is not there") << QByteArray(R"({"do":"select","plane":99})") << "there is no plane 99";
     QTest::newRow("size") << QByteArray(R"({"do":"screenshot","file":"a.png","size":"9"})") << "\"size\" is like";

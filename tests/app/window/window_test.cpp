@@ -41,7 +41,7 @@ private slots:
     void measurementsComeFromClicks();
     void layersFollowMenuAndPanel();
     void anUnknownSceneIsToldInABanner();
-    void aChangeOfParametersHoldsFromTheNextStepOn();
+    void extractingOnceMoreTakesTheNewParameters();
     void everyActionHasAWordATipAndAName();
     void wholeWindowsAreAsTheyWere_data();
     void wholeWindowsAreAsTheyWere();
@@ -120,7 +120,11 @@ void WindowTest::aScanIsHeldSteppedAndFinished()
 
     action("actPause")->trigger();
     QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Paused; }, kPatience));
-    QVERIFY(waitForRest(*parts_, kPatience));
+    const auto isWorkedIn = [this] {
+        const SessionStatus status = parts_->session.status();
+        return status.acquired == status.extracted && parts_->session.map()->step + 1 == status.acquired;
+    };
+    QVERIFY(waitUntil(isWorkedIn, kPatience));
     const int held = parts_->session.map()->step;
     QVERIFY(action("actStep")->isEnabled());
     action("actStep")->trigger();
@@ -302,19 +306,19 @@ void WindowTest::anUnknownSceneIsToldInABanner()
     QVERIFY(parts_->window->banner().text().contains("corridor"));
 }
 
-void WindowTest::aChangeOfParametersHoldsFromTheNextStepOn()
+void WindowTest::extractingOnceMoreTakesTheNewParameters()
 {
     openCorridor();
-    const std::size_t before = parts_->shown->planes.size();
+    const std::size_t before = parts_->shown->snapshot->segments.segmentCount();
 
-    QVERIFY(parts_->parameters.setText("planes.min-extent", "3").isEmpty());
+    QVERIFY(parts_->parameters.setText("segments.min-points", "80").isEmpty());
     QVERIFY(action("actRerun")->isEnabled());
     const auto snapshot = parts_->shown->snapshot;
     action("actRerun")->trigger();
     QVERIFY(waitUntil([&] { return parts_->shown->snapshot != snapshot; }, kPatience));
     QVERIFY(waitForRest(*parts_, kPatience));
 
-    QVERIFY(parts_->shown->planes.size() < before);
+    QVERIFY(parts_->shown->snapshot->segments.segmentCount() < before);
 }
 
 void WindowTest::everyActionHasAWordATipAndAName()
