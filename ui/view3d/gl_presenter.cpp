@@ -8,7 +8,6 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QPainter>
 #include <QSurfaceFormat>
 
 namespace planewright {
@@ -32,8 +31,9 @@ GlPresenter::GlPresenter(MapScene& scene, std::size_t pointBudget, QWidget* pare
     struct Calls {
         static void makeCurrent(vtkObject*, unsigned long, void* self, void*)
         {
+            // Qt's makeCurrent also binds its own frame buffer, which VTK must not lose hold of while it draws.
             auto* presenter = static_cast<GlPresenter*>(self);
-            if (presenter->isValid())
+            if (presenter->isValid() && QOpenGLContext::currentContext() != presenter->context())
                 presenter->makeCurrent();
         }
         static void isCurrent(vtkObject*, unsigned long, void* self, void* answer)
@@ -128,10 +128,6 @@ void GlPresenter::paintGL()
     bindOutput();
     state->Reset();
     state->Pop();
-    if (paintOverlay) {
-        QPainter painter(this);
-        paintOverlay(painter);
-    }
 }
 
 QImage GlPresenter::picture(QSize size, double pixelRatio)

@@ -85,8 +85,6 @@ void ImagePresenter::paintEvent(QPaintEvent*)
     }
     QPainter painter(this);
     painter.drawImage(QPoint(0, 0), image_);
-    if (paintOverlay)
-        paintOverlay(painter);
 }
 
 void ImagePresenter::resizeEvent(QResizeEvent*)

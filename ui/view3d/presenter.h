@@ -3,11 +3,9 @@
 
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include <QImage>
-#include <QPainter>
 #include <QWidget>
 
 #include "core/types/error.h"
@@ -39,9 +37,6 @@ public:
 
     /// What draws, for bug reports: OpenGL's renderer and version.
     virtual QString rendererName() const = 0;
-
-    /// Draws over the scene, in the widget's coordinates.
-    std::function<void(QPainter&)> paintOverlay;
 
 protected:
     Presenter() = default;

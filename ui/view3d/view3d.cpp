@@ -10,6 +10,8 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "ui/view3d/overlay_widget.h"
+
 namespace planewright {
 
 namespace {
@@ -40,7 +42,9 @@ QString tipOf(const Picked& picked, const ShownMap& map)
 
 }  // namespace
 
-View3d::View3d(QWidget* parent) : QWidget(parent)
+View3d::View3d(QWidget* parent)
+    : QWidget(parent),
+      glass_(new OverlayWidget([this](QPainter& painter) { paintOverlay(painter, size(), scene_, overlay_); }, this))
 {
     setObjectName(QStringLiteral("view3d"));
     setAccessibleName(tr("3D view"));
@@ -66,10 +70,6 @@ Result<void> View3d::present(const PresenterSettings& settings)
     if (!made)
         return tl::unexpected{made.error()};
     presenter_ = std::move(*made);
-    presenter_->paintOverlay = [this](QPainter& painter) {
-        painter.setFont(font());
-        paintOverlay(painter, size(), scene_, overlay_);
-    };
     presenter_->widget().setGeometry(rect());
     presenter_->widget().lower();
     presenter_->widget().show();
@@ -80,6 +80,7 @@ void View3d::request(Detail detail)
 {
     if (presenter_)
         presenter_->requestPicture(detail);
+    glass_->update();
 }
 
 /// While slices arrive the view moves; full detail comes when it rests.
@@ -134,8 +135,7 @@ void View3d::setOverlay(const OverlayContent& content)
     overlay_ = content;
     overlay_.tip = tip;
     overlay_.tipPlace = place;
-    if (presenter_)
-        presenter_->widget().update();
+    glass_->update();
 }
 
 void View3d::setCamera(const ViewCamera& camera)
@@ -243,6 +243,7 @@ void View3d::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     if (presenter_)
         presenter_->widget().setGeometry(rect());
+    glass_->setGeometry(rect());
     if (!framed_ && height() > 0)
         scene_.setCamera(fitted(scene_.camera(), scene_.bounds(), aspect()));
 }
@@ -354,8 +355,8 @@ void View3d::hoverNow()
         scene_.setSelection(selection);
         request(Detail::Full);
         emit hovered(plane);
-    } else if (presenter_) {
-        presenter_->widget().update();
+    } else {
+        glass_->update();
     }
 }
 
@@ -364,8 +365,7 @@ void View3d::leaveEvent(QEvent* event)
     hoverTimer_.stop();
     overlay_.tip.clear();
     emit pointerMoved(std::nullopt);
-    if (presenter_)
-        presenter_->widget().update();
+    glass_->update();
     QWidget::leaveEvent(event);
 }
 

@@ -17,6 +17,8 @@
 
 namespace planewright {
 
+class OverlayWidget;
+
 /// The 3D view: shows a map, lets one look around in it and choose in it.
 ///
 /// Left drag rotates about what is under the pointer, middle or Shift with left shifts, the wheel zooms to the pointer,
@@ -91,6 +93,7 @@ private:
 
     MapScene scene_;
     std::unique_ptr<Presenter> presenter_;
+    OverlayWidget* glass_;
     OverlayContent overlay_;
     QString problem_;
     Drag drag_ = Drag::None;
