@@ -18,6 +18,7 @@ private slots:
     void initTestCase();
     void init();
     void cleanup();
+    void theRoomIsSeenInItsColours();
     void aDragRotates();
     void theMiddleButtonShifts();
     void theWheelComesNearer();
@@ -63,6 +64,24 @@ void View3dTest::init()
 void View3dTest::cleanup()
 {
     view_.reset();
+}
+
+void View3dTest::theRoomIsSeenInItsColours()
+{
+    view_->showNamed(NamedView::Top);
+    const QImage picture = view_->grab().toImage();
+    const PlaneId ceiling = pick(view_->scene(), rayThrough(view_->camera(), 0.0, 0.0), 1e-3)->plane;
+    const QColor colour = toQColor(planeColour(ceiling, PlanePalette::Normal, Theme::Light));
+
+    int seen = 0;
+    const QRect middle(kMiddle - QPoint(50, 150), QSize(100, 300));
+    for (int y = middle.top(); y < middle.bottom(); ++y) {
+        for (int x = middle.left(); x < middle.right(); ++x)
+            seen += picture.pixelColor(x, y) == colour ? 1 : 0;
+    }
+
+    // From above the ceiling covers the middle of the picture with points and segments of its own colour.
+    QVERIFY2(seen > 300, qPrintable(QString::number(seen)));
 }
 
 void View3dTest::aDragRotates()
