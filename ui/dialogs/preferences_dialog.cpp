@@ -4,6 +4,7 @@
 #include "ui/dialogs/preferences_dialog.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -24,9 +25,9 @@ constexpr int kListWidth = 140;  // [px]
 constexpr int kRowHeight = 32;   // [px]
 }  // namespace
 
-PreferencesDialog::PreferencesDialog(const Preferences& preferences, const PreferencesContext& context, QWidget* parent)
+PreferencesDialog::PreferencesDialog(Preferences preferences, const PreferencesContext& context, QWidget* parent)
     : QDialog(parent),
-      loaded_(preferences),
+      loaded_(std::move(preferences)),
       list_(new QListWidget(this)),
       stack_(new QStackedWidget(this)),
       nothing_(new QLabel(tr("No preference has these words."), this))

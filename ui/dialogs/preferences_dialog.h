@@ -35,7 +35,7 @@ class PreferencesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    PreferencesDialog(const Preferences& preferences, const PreferencesContext& context, QWidget* parent = nullptr);
+    PreferencesDialog(Preferences preferences, const PreferencesContext& context, QWidget* parent = nullptr);
 
     /// As the fields are now.
     Preferences preferences() const;

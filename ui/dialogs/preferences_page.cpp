@@ -3,6 +3,8 @@
 
 #include "ui/dialogs/preferences_page.h"
 
+#include <utility>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
@@ -16,8 +18,8 @@
 
 namespace planewright {
 
-PreferencesPage::PreferencesPage(const QString& title, QWidget* parent)
-    : QWidget(parent), title_(title), form_(new QFormLayout(this))
+PreferencesPage::PreferencesPage(QString title, QWidget* parent)
+    : QWidget(parent), title_(std::move(title)), form_(new QFormLayout(this))
 {
     form_->setContentsMargins(12, 8, 12, 8);
     form_->setHorizontalSpacing(16);

@@ -22,7 +22,7 @@ class PreferencesPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PreferencesPage(const QString& title, QWidget* parent = nullptr);
+    explicit PreferencesPage(QString title, QWidget* parent = nullptr);
 
     const QString& title() const { return title_; }
 

@@ -3,7 +3,7 @@
 
 #include "ui/dialogs/shortcuts_page.h"
 
-#include <algorithm>
+#include <utility>
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -59,12 +59,11 @@ void applyShortcuts(const QList<QAction*>& actions, const ShortcutMap& changed, 
         action->setShortcuts(keysBy(changed, action, kept));
 }
 
-ShortcutsPage::ShortcutsPage(const QList<QAction*>& actions, const ShortcutMap& changed, const QSet<QString>& kept,
-                             QWidget* parent)
+ShortcutsPage::ShortcutsPage(const QList<QAction*>& actions, ShortcutMap changed, QSet<QString> kept, QWidget* parent)
     : QWidget(parent),
       actions_(listedActions(actions)),
-      changed_(changed),
-      kept_(kept),
+      changed_(std::move(changed)),
+      kept_(std::move(kept)),
       table_(new QTableWidget(static_cast<int>(actions_.size()), 2, this)),
       edit_(new QKeySequenceEdit(this)),
       problem_(new ProblemLabel(this))

@@ -29,8 +29,7 @@ class ShortcutsPage : public QWidget {
 
 public:
     /// `kept` are object names of actions that keep their own keys: what stops motion.
-    ShortcutsPage(const QList<QAction*>& actions, const ShortcutMap& changed, const QSet<QString>& kept,
-                  QWidget* parent = nullptr);
+    ShortcutsPage(const QList<QAction*>& actions, ShortcutMap changed, QSet<QString> kept, QWidget* parent = nullptr);
 
     const ShortcutMap& changed() const { return changed_; }
     void restoreDefaults();

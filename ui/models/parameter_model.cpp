@@ -151,7 +151,7 @@ QString ParameterModel::problemOfPresetName(const QString& name) const
 
 QString ParameterModel::addPreset(const QString& name, const Parameters& parameters)
 {
-    const QString problem = problemOfPresetName(name);
+    QString problem = problemOfPresetName(name);
     if (!problem.isEmpty())
         return problem;
     const QString trimmed = name.trimmed();

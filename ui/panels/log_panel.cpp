@@ -51,8 +51,11 @@ LogPanel::LogPanel(LogModel& model, QWidget* parent)
     connect(copy_, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(bugReport()); });
     connect(table_->rows(), &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
         const QScrollBar* bar = table_->view()->verticalScrollBar();
-        if (bar->value() == bar->maximum())
-            QMetaObject::invokeMethod(table_->view(), &QTableView::scrollToBottom, Qt::QueuedConnection);
+        follows_ = bar->value() == bar->maximum();
+    });
+    connect(table_->rows(), &QAbstractItemModel::rowsInserted, this, [this] {
+        if (follows_)
+            table_->view()->scrollToBottom();
     });
 }
 

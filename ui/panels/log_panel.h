@@ -36,6 +36,7 @@ private:
     FilteredTable* table_;
     QPushButton* copy_;
     std::function<QString()> head_;
+    bool follows_ = true;  // the newest line is in view
 };
 
 }  // namespace planewright

@@ -3,6 +3,7 @@
 
 #include "ui/panels/measure_panel.h"
 
+#include <algorithm>
 #include <array>
 
 #include <QAction>
@@ -75,9 +76,10 @@ MeasurePanel::MeasurePanel(MeasurementsModel& model, QWidget* parent)
 
 void MeasurePanel::removeChosen()
 {
-    const std::vector<int> rows = table_->chosenRows();
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row)
-        model_.remove(*row);
+    std::vector<int> rows = table_->chosenRows();
+    std::reverse(rows.begin(), rows.end());  // the last first, so that the others keep their places
+    for (const int row : rows)
+        model_.remove(row);
 }
 
 }  // namespace planewright

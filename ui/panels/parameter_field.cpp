@@ -18,9 +18,14 @@ namespace planewright {
 
 namespace {
 
-constexpr int kFieldWidth = 76;  // [px]
-constexpr int kUnitWidth = 14;   // [px]
-constexpr int kTarget = 28;      // [px]
+constexpr int kTarget = 28;  // [px]
+
+/// Room for eight digits and the frame [px].
+int fieldWidth(const QWidget& widget)
+{
+    constexpr int kFrame = 14;  // [px]
+    return widget.fontMetrics().horizontalAdvance(QStringLiteral("00000000")) + kFrame;
+}
 
 QString textOf(std::string_view utf8)
 {
@@ -57,7 +62,7 @@ ParameterField::ParameterField(ParameterModel& model, const ParameterRow& row, Q
     label->setWordWrap(true);
     label->setBuddy(field);
     auto* unit = new QLabel(parameterUnit(row), this);
-    unit->setFixedWidth(kUnitWidth);
+    unit->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("m")) + 2);
     reset_->setObjectName(QStringLiteral("reset"));
     reset_->setText(QStringLiteral("↺"));
     reset_->setAutoRaise(true);
@@ -89,7 +94,7 @@ QWidget* ParameterField::makeField()
 {
     if (row_.unit == Unit::Switch) {
         toggle_ = new QCheckBox(this);
-        toggle_->setFixedWidth(kFieldWidth);
+        toggle_->setFixedWidth(fieldWidth(*this));
         connect(toggle_, &QCheckBox::clicked, this,
                 [this](bool on) { take(on ? QStringLiteral("true") : QStringLiteral("false")); });
         return toggle_;
@@ -98,12 +103,12 @@ QWidget* ParameterField::makeField()
         choices_ = new QuietComboBox(this);
         for (const std::string_view choice : row_.choices)
             choices_->addItem(textOf(choice));
-        choices_->setMinimumWidth(kFieldWidth);
+        choices_->setMinimumWidth(fieldWidth(*this));
         connect(choices_, &QComboBox::textActivated, this, &ParameterField::take);
         return choices_;
     }
     edit_ = new QLineEdit(this);
-    edit_->setFixedWidth(kFieldWidth);
+    edit_->setFixedWidth(fieldWidth(*this));
     edit_->setAlignment(Qt::AlignRight);
     connect(edit_, &QLineEdit::textEdited, this, &ParameterField::check);
     connect(edit_, &QLineEdit::editingFinished, this, [this] { take(edit_->text()); });

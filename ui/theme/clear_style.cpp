@@ -126,4 +126,9 @@ QSize ClearStyle::sizeFromContents(ContentsType type, const QStyleOption* option
     return needed;
 }
 
+ClearStyle* makeClearStyle()
+{
+    return new ClearStyle;
+}
+
 }  // namespace planewright

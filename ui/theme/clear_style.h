@@ -24,4 +24,7 @@ public:
                            const QWidget* widget) const override;
 };
 
+/// One for QApplication::setStyle, which takes it over.
+ClearStyle* makeClearStyle();
+
 }  // namespace planewright

@@ -74,7 +74,7 @@ QPalette applicationPalette(Theme theme)
 void applyTheme(Theme theme)
 {
     if (qobject_cast<ClearStyle*>(QApplication::style()) == nullptr)
-        QApplication::setStyle(new ClearStyle);
+        QApplication::setStyle(makeClearStyle());
     QApplication::setPalette(applicationPalette(theme));
 }
 
