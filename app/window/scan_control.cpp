@@ -108,6 +108,11 @@ void ScanControl::connectSession()
     ScanSession& session = parts_.session;
     connect(&session, &ScanSession::stateChanged, this, &ScanControl::takeState);
     connect(&session, &ScanSession::statusChanged, this, &ScanControl::takeStatus);
+    // The project of before is gone by now: nothing may go on writing to it.
+    connect(&session, &ScanSession::projectChanged, this, [this] {
+        parts_.edits.begin(parts_.session.project(), parts_.session.scanInProject(), parts_.session.storedEdits());
+        parts_.showMap();
+    });
     connect(&session, &ScanSession::mapChanged, this, [this] { parts_.showMap(); });
     connect(&parts_, &WindowParts::mapShown, this, &ScanControl::refreshOverlay);
     connect(&session, &ScanSession::parametersChanged, this, [this] {
