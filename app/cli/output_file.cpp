@@ -132,6 +132,17 @@ tl::unexpected<Error> OutputFile::failure(int error) const
     return fail(ErrorCode::NotWritten, path_ + ": " + advice(error));
 }
 
+Result<void> OutputFile::writeWhole(const std::string& path, bool overwrite,
+                                    const std::function<Result<void>(std::ostream&)>& writer)
+{
+    const auto file = open(path, overwrite);
+    if (!file)
+        return tl::unexpected{file.error()};
+    return (*file)->write(writer).and_then([&] { return (*file)->finish(); }).and_then([&] {
+        return (*file)->publish();
+    });
+}
+
 Result<void> OutputFile::write(const std::function<Result<void>(std::ostream&)>& writer)
 {
     Result<void> written = writer(*stream_);

@@ -51,6 +51,10 @@ public:
     /// What tells a target from every other: its folder and name. Empty for what is written directly.
     std::string identity() const;
 
+    /// One file by itself: open, write, finish and publish.
+    static Result<void> writeWhole(const std::string& path, bool overwrite,
+                                   const std::function<Result<void>(std::ostream&)>& writer);
+
 private:
     OutputFile(std::string path, bool overwrite) : path_(std::move(path)), overwrite_(overwrite) {}
 

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/cli/angle_range.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/number_option.h"
@@ -19,6 +18,7 @@
 #include "app/cli/plane_table.h"
 #include "app/cli/progress.h"
 #include "app/cli/signal_watch.h"
+#include "app/cli/tilt_options.h"
 #include "app/files/file_kind.h"
 #include "app/files/recording_file.h"
 #include "app/session/loops/pwscan_recorder.h"
@@ -51,19 +51,8 @@ struct ScanNews {
 Result<AcquisitionSettings> settingsOf(const RecordOptions& options)
 {
     AcquisitionSettings settings;  // Table VIII
-    if (!options.tilt.empty()) {
-        const auto most = options.slices > 0 ? std::nullopt : std::optional{kMaxSlices};
-        const auto range = parseAngleRange("--tilt", options.tilt, RangeEnd::Open, most);
-        if (!range)
-            return tl::unexpected{range.error()};
-        settings.firstTilt = range->first;
-        settings.tiltStep = range->step;
-        settings.slices = range->count;
-    }
-    if (options.slices > 0)
-        settings.slices = options.slices;
-    if (std::abs(settings.firstTilt + settings.tiltStep * (settings.slices - 1)) > degrees(360.0))
-        return fail(ErrorCode::Usage, "--slices: the last of so many slices tilts beyond 360 degrees; give fewer");
+    if (const auto tilt = takeTilt(options.tilt, options.slices, settings); !tilt)
+        return tl::unexpected{tilt.error()};
     return settings;
 }
 

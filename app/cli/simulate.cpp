@@ -16,6 +16,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/recording_file.h"
 #include "app/cli/text.h"
+#include "app/cli/tilt_options.h"
 #include "app/files/file_kind.h"
 #include "core/formats/labels.h"
 #include "core/formats/planes_csv.h"
@@ -40,17 +41,8 @@ struct SimulateOptions {
 Result<AcquisitionSettings> settingsOf(const SimulateOptions& options)
 {
     AcquisitionSettings settings;  // Table VIII
-    if (!options.tilt.empty()) {
-        const auto most = options.slices > 0 ? std::nullopt : std::optional{kMaxSlices};
-        const auto range = parseAngleRange("--tilt", options.tilt, RangeEnd::Open, most);
-        if (!range)
-            return tl::unexpected{range.error()};
-        settings.firstTilt = range->first;
-        settings.tiltStep = range->step;
-        settings.slices = range->count;
-    }
-    if (options.slices > 0)
-        settings.slices = options.slices;
+    if (const auto tilt = takeTilt(options.tilt, options.slices, settings); !tilt)
+        return tl::unexpected{tilt.error()};
     if (!options.bearing.empty()) {
         const auto range = parseAngleRange("--bearing", options.bearing, RangeEnd::Closed, kMaxBeams);
         if (!range)
@@ -61,9 +53,6 @@ Result<AcquisitionSettings> settingsOf(const SimulateOptions& options)
         settings.bearingStep = range->step;
         settings.beams = range->count;
     }
-    const double lastTilt = settings.firstTilt + settings.tiltStep * (settings.slices - 1);
-    if (std::abs(lastTilt) > degrees(360.0))
-        return fail(ErrorCode::Usage, "--slices: the last of so many slices tilts beyond 360 degrees; give fewer");
     if (static_cast<std::size_t>(settings.slices) * static_cast<std::size_t>(settings.beams) > kMaxRanges)
         return fail(ErrorCode::Usage, "--tilt, --slices and --bearing give more than " + std::to_string(kMaxRanges) +
                                           " points; give fewer");

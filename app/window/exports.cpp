@@ -71,15 +71,9 @@ Result<void> exportScan(const WindowParts& parts, ExportKind kind, const QString
     const auto suffix = suffixOf(path, suffixesOf(kind), "the export");
     if (!suffix)
         return tl::unexpected{suffix.error()};
-    const auto output = OutputFile::open(path, true);
-    if (!output)
-        return tl::unexpected{output.error()};
     const ScanResults results = resultsOf(parts, kind == ExportKind::ScanPoints);
     const ResultWriter writer = writerOf(kind, *suffix);
-    return (*output)
-        ->write([&](std::ostream& out) { return writer(out, results); })
-        .and_then([&] { return (*output)->finish(); })
-        .and_then([&] { return (*output)->publish(); });
+    return OutputFile::writeWhole(path, true, [&](std::ostream& out) { return writer(out, results); });
 }
 
 }  // namespace planewright

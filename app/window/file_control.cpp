@@ -111,15 +111,8 @@ void FileControl::saveCopy()
         parts_.problem(tr("save"), suffix.error());
         return;
     }
-    const auto output = OutputFile::open(path, true);
-    if (!output) {
-        parts_.problem(tr("save"), output.error());
-        return;
-    }
-    const auto done = (*output)
-                          ->write([&](std::ostream& out) { return writeRecording(out, recording, *suffix); })
-                          .and_then([&] { return (*output)->finish(); })
-                          .and_then([&] { return (*output)->publish(); });
+    const auto done =
+        OutputFile::writeWhole(path, true, [&](std::ostream& out) { return writeRecording(out, recording, *suffix); });
     if (done)
         parts_.say(tr("Wrote %1").arg(file));
     else
@@ -167,7 +160,7 @@ void FileControl::takeScreenshotWithOptions()
     width->setObjectName(QStringLiteral("screenshotWidth"));
     height->setObjectName(QStringLiteral("screenshotHeight"));
     for (QSpinBox* box : {width, height}) {
-        box->setRange(16, kMostPixels);
+        box->setRange(kFewestPixels, kMostPixels);
         box->setSuffix(tr(" px"));
     }
     width->setValue(1920);

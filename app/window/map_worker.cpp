@@ -80,15 +80,8 @@ void MapWorker::run(const std::stop_token& stop)
             busy_ = true;
         }
         work(*request);
-        bool settledNow = false;
-        {
-            const std::lock_guard lock(mutex_);
-            busy_ = false;
-            settledNow = !next_.has_value();
-        }
-        if (settledNow)
-            QMetaObject::invokeMethod(
-                this, [this] { emit settled(); }, Qt::QueuedConnection);
+        const std::lock_guard lock(mutex_);
+        busy_ = false;
     }
 }
 

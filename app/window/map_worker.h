@@ -49,8 +49,6 @@ public:
 signals:
     /// In this object's thread. `problems` are the edits that could not be applied.
     void shown(const std::shared_ptr<const planewright::ShownMap>& map, const QStringList& problems);
-    /// Nothing is left to be worked out.
-    void settled();
 
 private:
     struct Known {

@@ -7,13 +7,11 @@
 #include <QSize>
 #include <QString>
 
+#include "app/window/picture_size.h"
 #include "app/window/window_parts.h"
 #include "core/types/error.h"
 
 namespace planewright {
-
-/// Largest side of a picture [pixels]: 8K.
-inline constexpr int kMostPixels = 8192;
 
 /// A picture of the 3D view of any size, or of the whole window as it is. The PNG's text chunks hold program, step,
 /// parameters and camera.

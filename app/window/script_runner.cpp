@@ -45,8 +45,10 @@ Result<void> ScriptRunner::run(const QString& file)
     if (!script.open(QIODevice::ReadOnly))
         return fail(ErrorCode::Unreadable,
                     file.toStdString() + ": cannot be read: " + script.errorString().toStdString());
-    for (int number = 1; !script.atEnd() && !quits_; ++number) {
-        const QByteArray line = script.readLine().trimmed();
+    // All at once: a pipe says that it is at its end before anything has come.
+    const QList<QByteArray> lines = script.readAll().split('\n');
+    for (qsizetype number = 1; number <= lines.size() && !quits_; ++number) {
+        const QByteArray line = lines[number - 1].trimmed();
         if (line.isEmpty())
             continue;
         const auto where = [&](const std::string& message) {
@@ -217,11 +219,12 @@ Result<void> ScriptRunner::screenshot(const QJsonObject& line)
     settle();
     QSize size;
     if (const QString given = text(line, "size"); !given.isEmpty()) {
-        const QStringList sides = given.split(QLatin1Char('x'));
-        if (sides.size() == 2)
-            size = {sides[0].toInt(), sides[1].toInt()};
-        if (size.width() < 16 || size.height() < 16 || size.width() > kMostPixels || size.height() > kMostPixels)
-            return wrong(QStringLiteral("\"size\" is like \"1280x800\", each side from 16 to %1").arg(kMostPixels));
+        const auto read = readPictureSize(given.toStdString());
+        if (!read)
+            return wrong(QStringLiteral("\"size\" is like \"1280x800\", each side from %1 to %2")
+                             .arg(kFewestPixels)
+                             .arg(kMostPixels));
+        size = {read->width, read->height};
     }
     return savePicture(takePicture(parts_, size, line.value(QLatin1String("window")).toBool()), text(line, "file"));
 }

@@ -3,8 +3,6 @@
 
 #include "app/window/window_options.h"
 
-#include <array>
-#include <charconv>
 #include <cstdio>
 #include <map>
 
@@ -13,28 +11,6 @@
 #include "app/cli/exit_code.h"
 
 namespace planewright {
-
-namespace {
-
-constexpr int kFewestPixels = 16;
-constexpr int kMostPixels = 8192;
-
-/// `1280x800`; the message of what is wrong, or nothing.
-std::string readSize(const std::string& text, WindowOptions& options)
-{
-    const std::size_t cross = text.find('x');
-    const auto number = [](std::string_view part, int& value) {
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-        return error == std::errc{} && end == part.data() + part.size() && value >= kFewestPixels &&
-               value <= kMostPixels;
-    };
-    if (cross == std::string::npos || !number(std::string_view{text}.substr(0, cross), options.width) ||
-        !number(std::string_view{text}.substr(cross + 1), options.height))
-        return "--size: give width and height in pixels as 1280x800, each from 16 to 8192";
-    return {};
-}
-
-}  // namespace
 
 tl::expected<WindowOptions, int> parseWindowOptions(int argc, char** argv)
 {
@@ -75,10 +51,14 @@ tl::expected<WindowOptions, int> parseWindowOptions(int argc, char** argv)
     if (!theme.empty())
         options.theme = theme == "dark" ? Theme::Dark : Theme::Light;
     if (!size.empty()) {
-        if (const std::string problem = readSize(size, options); !problem.empty()) {
-            std::fprintf(stderr, "planewright: %s\n", problem.c_str());
+        const auto read = readPictureSize(size);
+        if (!read) {
+            std::fprintf(stderr,
+                         "planewright: --size: give width and height in pixels as 1280x800, each from %d to %d\n",
+                         kFewestPixels, kMostPixels);
             return tl::unexpected<int>(static_cast<int>(ExitCode::Usage));
         }
+        options.size = *read;
     }
     if (options.offscreen && options.renderer == RendererChoice::Gl) {
         std::fprintf(stderr, "planewright: --renderer gl needs a display; leave out --offscreen\n");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/parameter_options.h"
+#include "app/window/picture_size.h"
 #include "core/types/error.h"
 #include "ui/common/palette.h"
 #include "ui/opengl/offscreen_context.h"
@@ -23,8 +24,7 @@ struct WindowOptions {
     bool offscreen = false;
     std::string script;
     std::string screenshot;
-    int width = 1280;  ///< of the screenshot [pixels]
-    int height = 800;
+    PictureSize size;  ///< of the screenshot
     bool wholeWindow = false;
     int step = -1;  ///< the last
     std::optional<Theme> theme;

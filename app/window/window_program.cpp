@@ -72,7 +72,7 @@ int perform(const WindowOptions& options, WindowParts& parts, ScanControl& scan)
         if (const auto rested = waitForRest(parts, kLongestScan); !rested)
             return tell(rested.error());
     }
-    const QSize size = options.wholeWindow ? QSize() : QSize(options.width, options.height);
+    const QSize size = options.wholeWindow ? QSize() : QSize(options.size.width, options.size.height);
     const auto saved =
         savePicture(takePicture(parts, size, options.wholeWindow), QString::fromStdString(options.screenshot));
     return saved ? 0 : tell(saved.error());
@@ -116,7 +116,7 @@ int runWindow(const WindowOptions& options, int& argc, char** argv)
             parts.window->saveLayout(parts.settings);
     };
     if (options.offscreen && options.wholeWindow)
-        parts.window->resize(options.width, options.height);
+        parts.window->resize(options.size.width, options.size.height);
     if (options.theme == std::nullopt && !plain)
         follower.askDesktop();
     parts.window->show();

@@ -14,7 +14,7 @@ namespace planewright {
 
 namespace {
 
-/// Far echoes through a window must not make the room small: what is beyond this share of segments does not count.
+/// Of the segments and not of the points: single far echoes, as through a window, must not make the room small.
 Eigen::AlignedBox3d boundsOf(const ShownMap& map)
 {
     Eigen::AlignedBox3d bounds;

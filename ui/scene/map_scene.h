@@ -93,7 +93,6 @@ private:
     double pixelRatio_ = 1.0;
     ViewCamera camera_;
     Eigen::AlignedBox3d bounds_;
-    std::size_t boundedSlices_ = 0;
     std::uint64_t coloursVersion_ = 1;
     bool changed_ = true;
     PointLayer points_;

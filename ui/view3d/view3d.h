@@ -27,11 +27,11 @@ class View3d : public QWidget {
     Q_OBJECT
 
 public:
-    /// Takes over the presenter that `setPresenter` gives; without one the view is empty.
+    /// Empty until present() has made something that draws.
     explicit View3d(QWidget* parent = nullptr);
     ~View3d() override;
 
-    /// Errors: NoRenderer; the view then says so.
+    /// Errors: NoRenderer; the view then stays empty.
     Result<void> present(const PresenterSettings& settings);
 
     MapScene& scene() { return scene_; }
@@ -54,7 +54,7 @@ public:
     /// Keys W A S D Q E walk while this is on.
     void setWalkMode(bool on);
     bool walkMode() const { return walking_; }
-    /// While this is on, a click gives pointPicked() or planePicked() and selects nothing.
+    /// While this is on, a click gives pointPicked() and selects nothing.
     void setMeasuring(bool on);
 
     /// The view at any size, with what is written over it [pixels].
@@ -95,7 +95,6 @@ private:
     std::unique_ptr<Presenter> presenter_;
     OverlayWidget* glass_;
     OverlayContent overlay_;
-    QString problem_;
     Drag drag_ = Drag::None;
     bool dragged_ = false;
     QPointF pressed_;

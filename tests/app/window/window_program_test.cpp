@@ -159,8 +159,6 @@ void WindowProgramTest::eglDrawsTheSamePicture()
     const Run egl = run(what + QStringList{"--screenshot", at("egl.png"), "--renderer", "egl"});
 
     QVERIFY2(osmesa.exitCode == 0, qPrintable(osmesa.err));
-    if (egl.exitCode == 9)
-        QSKIP("there is no EGL without a surface here: libegl1 and libgl1-mesa-dri are not installed");
     QVERIFY2(egl.exitCode == 0, qPrintable(egl.err));
     QCOMPARE(QImage(at("egl.png")), QImage(at("osmesa.png")));
 }
