@@ -7,6 +7,13 @@ foreach(label IN ITEMS app architecture core devices threads ui)
     add_custom_target(tests_${label})
 endforeach()
 
+# Every test reads Qt, Eigen and the standard library first: compiled once, not once a test.
+file(WRITE "${PROJECT_BINARY_DIR}/test_headers.cpp.in" "// Compiled to make the headers of the tests.\n")
+configure_file("${PROJECT_BINARY_DIR}/test_headers.cpp.in" "${PROJECT_BINARY_DIR}/test_headers.cpp" COPYONLY)
+add_library(test_headers OBJECT "${PROJECT_BINARY_DIR}/test_headers.cpp")
+target_link_libraries(test_headers PRIVATE Qt6::Core Eigen3::Eigen project_options)
+target_precompile_headers(test_headers PRIVATE <QtCore> <Eigen/Geometry> <functional> <map> <optional> <sstream> <string> <vector>)
+
 # planewright_test(<target> SOURCES <files> LIBRARIES <targets> [THREADS]): one QtTest executable, run by CTest without a display.
 #
 # A test sees no settings of the person who runs it: HOME, the XDG folders and TMPDIR are folders of its own in the build
@@ -20,6 +27,7 @@ function(planewright_test target)
     planewright_moc(${target})
     target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} Qt6::Test project_options)
     target_compile_definitions(${target} PRIVATE PLANEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_precompile_headers(${target} REUSE_FROM test_headers)
     add_test(NAME ${target} COMMAND ${target})
     planewright_isolate_test(${target})
 

@@ -9,15 +9,12 @@
 #include <QtTest>
 
 #include "app/window/exports.h"
-#include "app/window/screenshot.h"
 #include "app/window/waiting.h"
-#include "app/window/window_controllers.h"
 #include "core/formats/planes_csv.h"
 #include "core/pipeline/apply_edits.h"
 #include "core/pipeline/plane_extractor.h"
-#include "tests/ui/view3d/reference_image.h"
+#include "tests/app/window/shown_window.h"
 #include "ui/panels/filtered_table.h"
-#include "ui/theme/theme.h"
 
 namespace planewright {
 
@@ -43,63 +40,33 @@ private slots:
     void anUnknownSceneIsToldInABanner();
     void extractingOnceMoreTakesTheNewParameters();
     void everyActionHasAWordATipAndAName();
-    void wholeWindowsAreAsTheyWere_data();
-    void wholeWindowsAreAsTheyWere();
 
 private:
-    void openCorridor();
-    QAction* action(const char* name) { return parts_->window->actions()[QLatin1String(name)]; }
+    QAction* action(const char* name) { return shown_->action(name); }
     QTableView* table() { return parts_->planesPanel->table()->view(); }
 
     QTemporaryDir folder_;
-    std::unique_ptr<ThemeFollower> follower_;
-    std::unique_ptr<WindowParts> parts_;
-    std::unique_ptr<WindowControllers> controllers_;
+    std::unique_ptr<ShownWindow> shown_;
+    WindowParts* parts_ = nullptr;
 };
-
-namespace {
-
-constexpr std::chrono::seconds kPatience{120};
-
-}  // namespace
 
 void WindowTest::initTestCase()
 {
-    QLocale::setDefault(QLocale::c());
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPixelSize(12);
-    QApplication::setFont(font);
+    useFixedLook();
 }
 
 void WindowTest::init()
 {
-    follower_ = std::make_unique<ThemeFollower>();
-    SessionOptions options;
-    parts_ = std::make_unique<WindowParts>(std::move(options), folder_.filePath("settings.ini"));
-    parts_->preferences.theme = ThemeChoice::Light;
-    PresenterSettings presenter;
-    presenter.image = QGuiApplication::platformName() == QLatin1String("offscreen");
-    const auto presented = parts_->window->view().present(presenter);
-    QVERIFY2(presented, presented ? "" : presented.error().message.c_str());
-    controllers_ = std::make_unique<WindowControllers>(*parts_, *follower_);
-    parts_->window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(parts_->window.get()));
+    auto shown = ShownWindow::open(folder_.filePath("settings.ini"));
+    QVERIFY2(shown, shown ? "" : shown.error().message.c_str());
+    shown_ = std::move(*shown);
+    parts_ = &shown_->parts;
 }
 
 void WindowTest::cleanup()
 {
-    parts_->session.close();
-    controllers_.reset();
-    parts_.reset();
+    shown_.reset();
     QFile::remove(folder_.filePath("settings.ini"));
-}
-
-void WindowTest::openCorridor()
-{
-    controllers_->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0"), true);
-    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
-    QVERIFY(waitForRest(*parts_, kPatience));
-    QVERIFY(parts_->shown->planes.size() > 5);
 }
 
 void WindowTest::theFirstPageShowsPlanesAfterOneClick()
@@ -115,7 +82,7 @@ void WindowTest::theFirstPageShowsPlanesAfterOneClick()
 
 void WindowTest::aScanIsHeldSteppedAndFinished()
 {
-    controllers_->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0.5"), true);
+    shown_->controllers->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0.5"), true);
     QVERIFY(waitUntil([this] { return parts_->shown->step >= 2; }, kPatience));
 
     action("actPause")->trigger();
@@ -144,7 +111,7 @@ void WindowTest::stoppingWorksInEveryState()
     QVERIFY(action("actStopMotion")->isEnabled());
     action("actStopMotion")->trigger();
 
-    controllers_->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0.2"), true);
+    shown_->controllers->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0.2"), true);
     QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Scanning; }, kPatience));
     action("actStopMotion")->trigger();
 
@@ -154,7 +121,7 @@ void WindowTest::stoppingWorksInEveryState()
 
 void WindowTest::aClickInTheTableSelectsInTheViewAndBack()
 {
-    openCorridor();
+    QVERIFY(shown_->scanCorridor());
     const QModelIndex first = table()->model()->index(0, static_cast<int>(PlaneColumn::Id));
     QTest::mouseClick(table()->viewport(), Qt::LeftButton, {}, table()->visualRect(first).center());
 
@@ -170,7 +137,7 @@ void WindowTest::aClickInTheTableSelectsInTheViewAndBack()
 
 void WindowTest::namesAreTypedInTheTableAndTakenBack()
 {
-    openCorridor();
+    QVERIFY(shown_->scanCorridor());
     const PlaneId plane = parts_->shown->planes.front().plane->id;
     parts_->selection.select({plane});
 
@@ -189,7 +156,7 @@ void WindowTest::namesAreTypedInTheTableAndTakenBack()
 
 void WindowTest::theFilterKeepsWhatItAsksFor()
 {
-    openCorridor();
+    QVERIFY(shown_->scanCorridor());
     const auto walls = std::count_if(parts_->shown->planes.begin(), parts_->shown->planes.end(),
                                      [](const ShownPlane& plane) { return plane.className == "wall"; });
     QVERIFY(walls > 0 && static_cast<std::size_t>(walls) < parts_->shown->planes.size());
@@ -204,7 +171,7 @@ void WindowTest::theFilterKeepsWhatItAsksFor()
 
 void WindowTest::hidingTakesThePlaneOutOfThePicture()
 {
-    openCorridor();
+    QVERIFY(shown_->scanCorridor());
     const auto& planes = parts_->shown->planes;
     const auto largest = std::max_element(
         planes.begin(), planes.end(), [](const auto& a, const auto& b) { return a.plane->points < b.plane->points; });
@@ -234,7 +201,7 @@ void WindowTest::hidingTakesThePlaneOutOfThePicture()
 
 void WindowTest::shortcutsOfLettersWorkInTheViewOnly()
 {
-    openCorridor();
+    QVERIFY(shown_->scanCorridor());
     parts_->window->activateWindow();
     parts_->window->view().setFocus();
     const bool shown = parts_->layers[Layer::Points].visible;
@@ -250,7 +217,7 @@ void WindowTest::shortcutsOfLettersWorkInTheViewOnly()
 
 void WindowTest::exportsAreTheBytesOfTheCommandLine()
 {
-    openCorridor();
+    QVERIFY(shown_->scanCorridor());
     const QString file = folder_.filePath("planes.csv");
 
     const auto done = exportScan(*parts_, ExportKind::PlanesFound, file);
@@ -273,7 +240,7 @@ void WindowTest::exportsAreTheBytesOfTheCommandLine()
 
 void WindowTest::measurementsComeFromClicks()
 {
-    openCorridor();
+    QVERIFY(shown_->scanCorridor());
     View3d& view = parts_->window->view();
     view.showNamed(NamedView::Top);
     action("actMeasureDistance")->setChecked(true);
@@ -299,7 +266,7 @@ void WindowTest::layersFollowMenuAndPanel()
 
 void WindowTest::anUnknownSceneIsToldInABanner()
 {
-    controllers_->scan.open(QStringLiteral("sim:palace"), true);
+    shown_->controllers->scan.open(QStringLiteral("sim:palace"), true);
 
     QTRY_VERIFY(parts_->window->banner().isVisible());
     QVERIFY(parts_->window->banner().text().contains("palace"));
@@ -308,7 +275,7 @@ void WindowTest::anUnknownSceneIsToldInABanner()
 
 void WindowTest::extractingOnceMoreTakesTheNewParameters()
 {
-    openCorridor();
+    QVERIFY(shown_->scanCorridor());
     const std::size_t before = parts_->shown->snapshot->segments.segmentCount();
 
     QVERIFY(parts_->parameters.setText("segments.min-points", "80").isEmpty());
@@ -337,39 +304,6 @@ void WindowTest::everyActionHasAWordATipAndAName()
         }
     }
     QCOMPARE(action("actStopMotion")->shortcuts().size(), 2);
-}
-
-void WindowTest::wholeWindowsAreAsTheyWere_data()
-{
-    QTest::addColumn<bool>("dark");
-    QTest::addColumn<bool>("scanned");
-    QTest::newRow("window-light") << false << true;
-    QTest::newRow("window-dark") << true << true;
-    QTest::newRow("window-welcome-light") << false << false;
-    QTest::newRow("window-welcome-dark") << true << false;
-}
-
-void WindowTest::wholeWindowsAreAsTheyWere()
-{
-    QFETCH(bool, dark);
-    QFETCH(bool, scanned);
-    parts_->preferences.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
-    emit parts_->preferencesChanged();
-    parts_->window->resize(1440, 900);
-    if (scanned) {
-        openCorridor();
-        parts_->selection.select({parts_->shown->planes[1].plane->id});
-        // What depends on the machine is not compared.
-        for (const char* item : {"stDevice", "stStep", "stQueue", "stRec", "stMessage"})
-            parts_->window->setStatus(QLatin1String(item), QLatin1String(item));
-    }
-    parts_->logModel.clear();
-    QTest::qWait(400);
-
-    const QString difference =
-        differenceFromReference(takePicture(*parts_, {}, true), QString::fromLatin1(QTest::currentDataTag()));
-
-    QVERIFY2(difference.isEmpty(), qPrintable(difference));
 }
 
 }  // namespace planewright
