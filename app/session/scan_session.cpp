@@ -184,6 +184,21 @@ void ScanSession::setRecordFolder(const std::string& folder)
     parts_->options.recordFolder = folder;
 }
 
+void ScanSession::setSimulation(const SimulatedScanner& simulation)
+{
+    parts_->options.simulation = simulation;
+}
+
+std::vector<SharedSlice> ScanSession::measuredSlices() const
+{
+    return parts_->history.measured();
+}
+
+const ScanDescription& ScanSession::measuredDescription() const
+{
+    return parts_->measuredDescription;
+}
+
 std::shared_ptr<const SessionMap> ScanSession::map() const
 {
     return parts_->map;

@@ -71,6 +71,8 @@ public:
 
     /// From the next start() on; empty: scans are not recorded.
     void setRecordFolder(const std::string& folder);
+    /// What the next `sim:` that is opened is set up with, but for the address's seed and speed.
+    void setSimulation(const SimulatedScanner& simulation);
 
     // What there is.
 
@@ -85,10 +87,13 @@ public:
     const Parameters& parameters() const;
     /// What is said once about the corrected slices; those of map().
     const ScanDescription& description() const;
+    /// The slices as they were measured, all of the scan so far, and what is said once about them.
+    std::vector<SharedSlice> measuredSlices() const;
+    const ScanDescription& measuredDescription() const;
     /// The address or file that is open; empty without one.
     const std::string& address() const;
-    /// The `.pwscan` that edits go into: the one that was opened, or that the scan was recorded into, once it is over.
-    /// Null without one. Used in the session's thread, until projectChanged().
+    /// The `.pwscan` that edits go into: the one that was opened, or that the scan is recorded into, as soon as its
+    /// first slice is there. Null without one. Used in the session's thread, until projectChanged().
     PwscanProject* project();
     /// The scan's number in it.
     int scanInProject() const;
@@ -105,6 +110,8 @@ signals:
     void parametersChanged();
     /// project(), scanInProject() and storedEdits() are others; the project before is gone.
     void projectChanged();
+    /// The scan that is open has a project() now: the file that it is recorded into, without edits yet.
+    void projectBegun();
     /// Something failed that nobody asked for: what it was, what is safe, what to do.
     void faulted(const planewright::Error& error);
     void logLine(planewright::LogLevel level, const QString& source, const QString& text);

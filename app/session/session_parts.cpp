@@ -119,6 +119,7 @@ void SessionParts::refuseOpened(const Error& error)
 std::unique_ptr<SliceRecorder> SessionParts::recorder()
 {
     recordedPath_.clear();
+    projectTried_ = false;
     if (!opened.source->isLive() || options.recordFolder.empty())
         return nullptr;
     recordedPath_ = newRecordingPath(options.recordFolder, QDateTime::currentDateTime());
@@ -143,7 +144,7 @@ void SessionParts::startScan()
         pipeline = work.get();
         return work;
     });
-    measuredDescription_ = pipeline->measuredDescription();
+    measuredDescription = pipeline->measuredDescription();
     history = ScanHistory{next->work().correctedDescription(), opened.source->plannedSlices().value_or(0)};
     shownStep.reset();
     showMap();
@@ -157,7 +158,7 @@ void SessionParts::startRerun()
     rerunCancelled_ = false;
     const ParametersFrom present{0, parameters.back().parameters};
     auto next = std::make_unique<SessionRun>([&](const ScanEvents& events) {
-        ExtractionPlan plan{measuredDescription_, {present}, options.explain};
+        ExtractionPlan plan{measuredDescription, {present}, options.explain};
         return std::make_unique<Reextraction>(std::move(plan), history.measured(), events.onNews,
                                               events.onExtractionFailed, clock);
     });
@@ -227,6 +228,8 @@ void SessionParts::onFrame()
         return;
     shownAt_ = clock.now();
     takeSteps();
+    if (!rerunHistory_ && run->work().status().recording.bytes > 0)
+        openRecorded();
     if (!rerunHistory_ && !shownStep)
         showMap();
 }
@@ -273,10 +276,10 @@ void SessionParts::storeParameters()
         tellFault(stored.error());
 }
 
-/// From now on edits go into the file that the scan was recorded into.
+/// From now on edits go into the file that the scan is recorded into.
 void SessionParts::openRecorded()
 {
-    if (recordedPath_.empty() || options.makeRecorder || opened.project)
+    if (recordedPath_.empty() || options.makeRecorder || std::exchange(projectTried_, true))
         return;
     Result<PwscanProject> project = PwscanProject::open(recordedPath_);
     if (!project) {
@@ -285,7 +288,7 @@ void SessionParts::openRecorded()
     }
     opened.project = std::move(*project);
     opened.scan = 1;
-    emit session.projectChanged();
+    emit session.projectBegun();
 }
 
 void SessionParts::forget()

@@ -44,6 +44,7 @@ struct SessionParts {
     std::string address;   ///< what is open
     OpenedSource opened;
     std::vector<ParametersFrom> parameters;  ///< of the next scan or replay; the last are those in force
+    ScanDescription measuredDescription;     ///< of the slices as they were measured
     ScanHistory history;
     std::optional<int> shownStep;  ///< somebody has gone back to it
     std::shared_ptr<const SessionMap> map;
@@ -65,10 +66,10 @@ private:
     void happen(SessionHappening happening);
     void tellFault(const Error& error);
 
-    ScanDescription measuredDescription_;      ///< of the slices as they were measured
     std::optional<ScanHistory> rerunHistory_;  ///< of a rerun, until it is complete
     bool rerunCancelled_ = false;
-    std::string recordedPath_;  ///< of the scan that is taken; empty: it is not recorded
+    bool projectTried_ = false;  ///< the file that is recorded into has been opened for edits, or cannot be
+    std::string recordedPath_;   ///< of the scan that is taken; empty: it is not recorded
     SessionState told_ = SessionState::Empty;
     PipelineStatus lastStatus_;  ///< of the run before
     std::chrono::nanoseconds shownAt_{0};

@@ -19,6 +19,23 @@ void EditHistory::begin(PwscanProject* project, int scan, std::vector<StoredEdit
         redo_.push_back(i - 1);
 }
 
+Result<void> EditHistory::moveInto(PwscanProject* project, int scan)
+{
+    for (StoredEdit& stored : edits_) {
+        const auto seq = project->append(scan, stored.edit);
+        if (!seq)
+            return tl::unexpected{seq.error()};
+        stored.seq = *seq;
+        if (stored.undone) {
+            if (auto marked = project->setUndone(*seq, true); !marked)
+                return marked;
+        }
+    }
+    project_ = project;
+    scan_ = scan;
+    return {};
+}
+
 Result<void> EditHistory::add(const Edit& edit)
 {
     StoredEdit stored{edits_.empty() ? 1 : edits_.back().seq + 1, edit, false};

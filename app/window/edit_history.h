@@ -18,6 +18,10 @@ public:
     /// Begins with the edits that a file holds; `project` may be null, and must outlive its use.
     void begin(PwscanProject* project, int scan, std::vector<StoredEdit> edits);
 
+    /// Writes the edits made so far into the file that the scan has now, and goes on there. Errors: NotWritten; those
+    /// that are not in the file then last as long as the scan is open, and so do all that follow.
+    Result<void> moveInto(PwscanProject* project, int scan);
+
     /// Makes an edit; what was undone before can no longer be made again. Errors: NotWritten, and nothing is changed.
     Result<void> add(const Edit& edit);
     /// Takes the last edit back, or makes the one taken back last again. Errors: NotWritten. Without any nothing
@@ -27,6 +31,8 @@ public:
 
     bool canUndo() const { return lastDone() != nullptr; }
     bool canRedo() const { return !redo_.empty(); }
+    /// All of them, undone ones too.
+    const std::vector<StoredEdit>& all() const { return edits_; }
     std::vector<Edit> inForce() const { return editsInForce(edits_); }
 
 private:

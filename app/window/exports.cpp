@@ -5,6 +5,7 @@
 
 #include "app/cli/output_file.h"
 #include "app/files/file_kind.h"
+#include "app/files/recording_file.h"
 #include "core/pipeline/apply_edits.h"
 
 namespace planewright {
@@ -28,22 +29,46 @@ ResultWriter writerOf(ExportKind kind, std::string_view suffix)
     return planesWriter(suffix);
 }
 
-ScanResults resultsOf(const WindowParts& parts, bool withLabels)
+/// What an export is made of, all of it shared or copied: the scan may go on meanwhile.
+struct ScanAtThisMoment {
+    std::shared_ptr<const SessionMap> map;
+    ScanDescription description;
+    Parameters parameters;
+    std::vector<Edit> edits;
+};
+
+Recording recordingOf(const ScanDescription& description, const std::vector<SharedSlice>& slices)
 {
-    const SessionMap& map = *parts.session.map();
+    Recording recording;
+    recording.description = description;
+    recording.slices.reserve(slices.size());
+    for (const SharedSlice& slice : slices)
+        recording.slices.push_back(*slice);
+    return recording;
+}
+
+ScanResults resultsOf(const ScanAtThisMoment& scan, bool withLabels)
+{
     ScanResults results;
-    results.recording.description = parts.session.description();
-    results.recording.slices.reserve(map.slices.size());
-    for (const SharedSlice& slice : map.slices)
-        results.recording.slices.push_back(*slice);
-    results.parameters = parts.session.parameters();
-    const EditedPlanes edited =
-        applyEdits(*map.snapshot, parts.edits.inForce(), results.recording.description, results.parameters);
-    results.snapshot = std::make_shared<const Snapshot>(withPlanes(*map.snapshot, edited));
+    results.recording = recordingOf(scan.description, scan.map->slices);
+    results.parameters = scan.parameters;
+    const EditedPlanes edited = applyEdits(*scan.map->snapshot, scan.edits, scan.description, scan.parameters);
+    results.snapshot = std::make_shared<const Snapshot>(withPlanes(*scan.map->snapshot, edited));
     results.planes = planeResults(edited.planes, results.snapshot->segments);
     if (withLabels)
         addLabels(results);
     return results;
+}
+
+/// What a `.pwscan` holds of a scan that has no file yet.
+ScanNotes notesOf(const WindowParts& parts)
+{
+    ScanNotes notes;
+    notes.scan.name = parts.session.status().source;
+    notes.scan.state = ScanState::Complete;
+    notes.events.push_back(parametersEvent(0, parts.session.parameters()));
+    notes.edits = parts.edits.all();
+    return notes;
 }
 
 }  // namespace
@@ -63,7 +88,7 @@ std::span<const std::string_view> suffixesOf(ExportKind kind)
     return kPlanesSuffixes;
 }
 
-Result<void> exportScan(const WindowParts& parts, ExportKind kind, const QString& file)
+Result<std::function<Result<void>()>> exportOf(const WindowParts& parts, ExportKind kind, const QString& file)
 {
     if (!parts.session.map()->snapshot)
         return fail(ErrorCode::Usage, "There is no scan to export; open or take one first.");
@@ -71,9 +96,34 @@ Result<void> exportScan(const WindowParts& parts, ExportKind kind, const QString
     const auto suffix = suffixOf(path, suffixesOf(kind), "the export");
     if (!suffix)
         return tl::unexpected{suffix.error()};
-    const ScanResults results = resultsOf(parts, kind == ExportKind::ScanPoints);
-    const ResultWriter writer = writerOf(kind, *suffix);
-    return OutputFile::writeWhole(path, true, [&](std::ostream& out) { return writer(out, results); });
+    ScanAtThisMoment scan{parts.session.map(), parts.session.description(), parts.session.parameters(),
+                          parts.edits.inForce()};
+    return [scan = std::move(scan), writer = writerOf(kind, *suffix), kind, path] {
+        const ScanResults results = resultsOf(scan, kind == ExportKind::ScanPoints);
+        return OutputFile::writeWhole(path, true, [&](std::ostream& out) { return writer(out, results); });
+    };
+}
+
+Result<std::function<Result<void>()>> copyOf(WindowParts& parts, const QString& file)
+{
+    if (!parts.session.map()->snapshot)
+        return fail(ErrorCode::Usage, "There is no scan to copy; open or take one first.");
+    const std::string path = file.toStdString();
+    const auto suffix = checkRecordingTarget(path);
+    if (!suffix)
+        return tl::unexpected{suffix.error()};
+    const auto write = [path, suffix = *suffix](const Recording& recording, const std::optional<ScanNotes>& notes) {
+        return OutputFile::writeWhole(path, true,
+                                      [&](std::ostream& out) { return writeRecording(out, recording, suffix, notes); });
+    };
+    // All that the file holds goes with it: events, and what became of the scan.
+    if (const PwscanProject* project = parts.session.project())
+        return [write, source = project->path(), scan = parts.session.scanInProject()]() -> Result<void> {
+            const auto read = loadRecordingFile(source, {scan, true});
+            return read ? write(read->recording, read->notes) : tl::unexpected{read.error()};
+        };
+    return [write, description = parts.session.measuredDescription(), slices = parts.session.measuredSlices(),
+            notes = notesOf(parts)] { return write(recordingOf(description, slices), notes); };
 }
 
 }  // namespace planewright

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -19,9 +20,14 @@ enum class ExportKind { PlanesFound, ScanPoints, LineSegments, FloorPlan };
 /// Suffixes of a kind's files, the usual one first.
 std::span<const std::string_view> suffixesOf(ExportKind kind);
 
-/// Writes a part of what is shown to a file, whose suffix says how: the same bytes as `planewright-cli extract` writes
-/// of the same scan with the same parameters and edits. An existing file is replaced once the new one is complete.
-/// Errors: Usage for another suffix; NotWritten.
-Result<void> exportScan(const WindowParts& parts, ExportKind kind, const QString& file);
+/// What writes a part of the scan as it is now to a file, whose suffix says how: the same bytes as `planewright-cli
+/// extract` writes of the same scan with the same parameters and edits. An existing file is replaced once the new one
+/// is complete. To be called on any thread; its errors: NotWritten. Errors: Usage for another suffix, or without a
+/// scan.
+Result<std::function<Result<void>()>> exportOf(const WindowParts& parts, ExportKind kind, const QString& file);
+
+/// The same for the recording itself: the slices as they were measured, and in a `.pwscan` parameters and edits.
+/// Errors also: NotWritten where the file is being recorded.
+Result<std::function<Result<void>()>> copyOf(WindowParts& parts, const QString& file);
 
 }  // namespace planewright

@@ -13,7 +13,6 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 
-#include "app/cli/output_file.h"
 #include "app/files/recording_file.h"
 #include "app/window/screenshot.h"
 
@@ -97,45 +96,42 @@ QString FileControl::chosenTarget(const QString& title, const QString& name, con
 
 void FileControl::saveCopy()
 {
-    const QString file =
-        chosenTarget(tr("Save a copy as"), QStringLiteral("scan.csv.gz"), tr("Recordings (*.csv.gz *.csv)"));
+    const QString file = chosenTarget(tr("Save a copy as"), QStringLiteral("scan.pwscan"),
+                                      tr("Projects with edits (*.pwscan);;Slices only (*.csv.gz *.csv)"));
     if (file.isEmpty())
         return;
-    Recording recording;
-    recording.description = parts_.session.description();
-    for (const SharedSlice& slice : parts_.session.map()->slices)
-        recording.slices.push_back(*slice);
-    const std::string path = file.toStdString();
-    const auto suffix = checkRecordingTarget(path);
-    if (!suffix) {
-        parts_.problem(tr("save"), suffix.error());
-        return;
-    }
-    const auto done =
-        OutputFile::writeWhole(path, true, [&](std::ostream& out) { return writeRecording(out, recording, *suffix); });
-    if (done)
-        parts_.say(tr("Wrote %1").arg(file));
-    else
-        parts_.problem(tr("save"), done.error());
+    write(tr("save"), file, copyOf(parts_, file));
 }
 
 void FileControl::exportWithDialog(ExportKind kind, const QString& title, const QString& name)
 {
     const QString file = chosenTarget(title, name, filtersOf(kind));
-    if (file.isEmpty())
+    if (!file.isEmpty())
+        write(tr("export"), file, exportOf(parts_, kind, file));
+}
+
+void FileControl::write(const QString& source, const QString& file,
+                        const Result<std::function<Result<void>()>>& writing)
+{
+    if (!writing) {
+        parts_.problem(source, writing.error());
         return;
-    if (const auto done = exportScan(parts_, kind, file); done)
+    }
+    parts_.say(tr("Writing %1…").arg(file));
+    parts_.background.start<Result<void>>(*writing, [this, source, file](const Result<void>& done) {
+        if (!done) {
+            parts_.problem(source, done.error());
+            return;
+        }
+        parts_.log(LogSeverity::Info, source, tr("Wrote %1").arg(file));
         parts_.say(tr("Wrote %1").arg(file));
-    else
-        parts_.problem(tr("export"), done.error());
+    });
 }
 
 void FileControl::save(const QImage& picture, const QString& file)
 {
-    if (const auto done = savePicture(picture, file); done)
-        parts_.say(tr("Wrote %1").arg(file));
-    else
-        parts_.problem(tr("screenshot"), done.error());
+    write(tr("screenshot"), file,
+          std::function<Result<void>()>([picture, file] { return savePicture(picture, file); }));
 }
 
 void FileControl::takeScreenshot()
@@ -189,7 +185,15 @@ void FileControl::validate()
                                                       tr("Recordings (*.pwscan *.csv *.csv.gz)"));
     if (file.isEmpty())
         return;
-    const auto problems = problemsOfRecordingFile(file.toStdString());
+    parts_.say(tr("Checking %1…").arg(file));
+    parts_.background.start<Result<RecordingProblems>>(
+        [path = file.toStdString()] { return problemsOfRecordingFile(path); },
+        [this, file](const Result<RecordingProblems>& problems) { tellProblems(file, problems); });
+}
+
+void FileControl::tellProblems(const QString& file, const Result<RecordingProblems>& problems)
+{
+    parts_.say({});
     if (!problems) {
         parts_.problem(tr("validate"), problems.error());
         return;

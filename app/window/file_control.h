@@ -5,6 +5,7 @@
 
 #include <QObject>
 
+#include "app/files/recording_file.h"
 #include "app/window/exports.h"
 #include "app/window/scan_control.h"
 #include "app/window/window_parts.h"
@@ -25,8 +26,10 @@ private:
     void takeScreenshot();
     void takeScreenshotWithOptions();
     QString chosenTarget(const QString& title, const QString& name, const QString& filters);
+    void write(const QString& source, const QString& file, const Result<std::function<Result<void>()>>& writing);
     void save(const QImage& picture, const QString& file);
     void validate();
+    void tellProblems(const QString& file, const Result<RecordingProblems>& problems);
     QString folder() const;
 
     WindowParts& parts_;

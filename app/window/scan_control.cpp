@@ -5,9 +5,11 @@
 
 #include <array>
 
+#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QStorageInfo>
 
 #include "core/formats/recording_csv.h"
 
@@ -17,6 +19,7 @@ namespace {
 
 constexpr int kMostRecent = 12;
 constexpr std::size_t kQueueWarns = 64;
+constexpr double kGigabyte = 1e9;
 
 struct Chip {
     const char* text;
@@ -69,31 +72,19 @@ void ScanControl::connectActions()
     const auto on = [&](const char* name, auto&& call) {
         connect(actions[QLatin1String(name)], &QAction::triggered, this, call);
     };
-    on("actStart", [this, &session] { act(session.start()); });
+    on("actStart", [this] { start(); });
     on("actPause", [this, &session] { act(session.pauseOrContinue()); });
     on("actStep", [this, &session] { act(session.step()); });
     on("actFinish", [this, &session] { act(session.finish()); });
     on("actStopMotion", [this, &session] { act(session.stopMotion()); });
     on("actRerun", [this, &session] { act(session.rerun()); });
-    on("actNewSimulated", [this] { open(QString::fromStdString(addressOf(parts_.sourcePanel->simulation())), true); });
+    on("actNewSimulated", [this] { simulate(parts_.sourcePanel->simulation()); });
     QAction* record = actions[QStringLiteral("actRecord")];
     record->setChecked(parts_.settings.value(QStringLiteral("scan/record"), false).toBool());
-    const auto applyRecord = [this](bool records) {
-        QString folder = QString::fromStdString(parts_.preferences.recordFolder);
-        if (folder.isEmpty())
-            folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Planewright";
-        if (records)
-            QDir().mkpath(folder);
-        parts_.session.setRecordFolder(records ? folder.toStdString() : std::string());
-        parts_.settings.setValue(QStringLiteral("scan/record"), records);
-    };
-    connect(record, &QAction::toggled, this, applyRecord);
-    connect(&parts_, &WindowParts::preferencesChanged, this,
-            [record, applyRecord] { applyRecord(record->isChecked()); });
-    applyRecord(record->isChecked());
+    connect(record, &QAction::toggled, this,
+            [this](bool records) { parts_.settings.setValue(QStringLiteral("scan/record"), records); });
 
-    connect(parts_.sourcePanel, &SourcePanel::simulationRequested, this,
-            [this](const SimulationSetup& setup) { open(QString::fromStdString(addressOf(setup)), true); });
+    connect(parts_.sourcePanel, &SourcePanel::simulationRequested, this, &ScanControl::simulate);
     connect(parts_.sourcePanel, &SourcePanel::openRequested, this, [this](const QString& address) { open(address); });
     connect(parts_.window.get(), &MainWindow::openRequested, this,
             [this](const QString& address) { open(address, true); });
@@ -110,8 +101,13 @@ void ScanControl::connectSession()
     connect(&session, &ScanSession::statusChanged, this, &ScanControl::takeStatus);
     // The project of before is gone by now: nothing may go on writing to it.
     connect(&session, &ScanSession::projectChanged, this, [this] {
+        parts_.selection.clear();
         parts_.edits.begin(parts_.session.project(), parts_.session.scanInProject(), parts_.session.storedEdits());
         parts_.showMap();
+    });
+    connect(&session, &ScanSession::projectBegun, this, [this] {
+        if (const auto moved = parts_.edits.moveInto(parts_.session.project(), parts_.session.scanInProject()); !moved)
+            parts_.problem(tr("edits"), moved.error());
     });
     connect(&session, &ScanSession::mapChanged, this, [this] { parts_.showMap(); });
     connect(&parts_, &WindowParts::mapShown, this, &ScanControl::refreshOverlay);
@@ -130,6 +126,8 @@ void ScanControl::connectSession()
         const QString text = QString::fromStdString(error.message);
         parts_.fault = error;
         parts_.log(LogSeverity::Error, tr("session"), text);
+        if (parts_.preferences.alarmSound)
+            QApplication::beep();
         std::vector<Banner::Choice> choices;
         if (parts_.session.state() == SessionState::Fault)
             choices = {{tr("Retry now"), [this] { act(parts_.session.retry()); }},
@@ -140,8 +138,28 @@ void ScanControl::connectSession()
 
 void ScanControl::open(const QString& fileOrAddress, bool starts)
 {
+    openWith(SessionOptions{}.simulation, fileOrAddress, starts);
+}
+
+void ScanControl::simulate(const SimulationSetup& setup)
+{
+    SimulatedScanner simulation;
+    const auto settings = acquisitionOf(setup);
+    const auto noise = simulationNoise(setup.noise);
+    if (!settings || !noise) {
+        parts_.problem(tr("simulator"), !settings ? settings.error() : noise.error());
+        return;
+    }
+    simulation.settings = *settings;
+    simulation.noise = *noise;
+    openWith(simulation, QString::fromStdString(addressOf(setup)), true);
+}
+
+void ScanControl::openWith(const SimulatedScanner& simulation, const QString& fileOrAddress, bool starts)
+{
     startsWhenReady_ = starts && fileOrAddress.startsWith(QLatin1String("sim:"));
     parts_.fault.reset();
+    parts_.session.setSimulation(simulation);
     const auto opened = parts_.session.open(fileOrAddress.toStdString());
     if (!opened) {
         parts_.fault = opened.error();
@@ -152,6 +170,38 @@ void ScanControl::open(const QString& fileOrAddress, bool starts)
     parts_.window->showWelcome(false);
     if (QFileInfo(fileOrAddress).isFile())
         addRecent(QFileInfo(fileOrAddress).absoluteFilePath());
+}
+
+void ScanControl::start()
+{
+    prepareRecording();
+    act(parts_.session.start());
+}
+
+/// Where the next scan is recorded; nowhere, with a word about it, where too little space is left.
+void ScanControl::prepareRecording()
+{
+    parts_.session.setRecordFolder({});
+    if (!parts_.window->actions()[QStringLiteral("actRecord")]->isChecked())
+        return;
+    QString folder = QString::fromStdString(parts_.preferences.recordFolder);
+    if (folder.isEmpty())
+        folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Planewright";
+    QDir().mkpath(folder);
+    const double floor = parts_.preferences.freeSpaceFloor;
+    const QStorageInfo disk(folder);
+    const double free = static_cast<double>(disk.bytesAvailable()) / kGigabyte;
+    if (disk.isValid() && free < floor) {
+        const QString text = tr("This scan is not recorded: %1 has %2 GB left, and the preferences ask for %3 GB. Make "
+                                "room, or choose another folder there.")
+                                 .arg(folder)
+                                 .arg(free, 0, 'f', 2)
+                                 .arg(floor, 0, 'f', 1);
+        parts_.log(LogSeverity::Warning, tr("recorder"), text);
+        parts_.window->banner().showMessage(Banner::Kind::Problem, text);
+        return;
+    }
+    parts_.session.setRecordFolder(folder.toStdString());
 }
 
 void ScanControl::addRecent(const QString& file)
@@ -180,18 +230,10 @@ void ScanControl::takeState(SessionState state)
 {
     if (state == SessionState::Empty)
         parts_.window->showWelcome(true);
-    // Edits belong to the file that is open; a scan that is taken anew begins without any.
-    const std::string here = parts_.session.address() + "#" + std::to_string(parts_.session.scanInProject());
-    const bool begins = state == SessionState::Scanning && parts_.session.map()->step <= 0;
-    if (state != SessionState::Connecting && (here != editsOf_ || begins)) {
-        editsOf_ = here;
-        parts_.edits.begin(parts_.session.project(), parts_.session.scanInProject(), parts_.session.storedEdits());
-        parts_.showMap();
-    }
     parts_.window->setSource(QString::fromStdString(parts_.session.status().source));
     if (state == SessionState::Ready && startsWhenReady_) {
         startsWhenReady_ = false;
-        act(parts_.session.start());
+        start();
         return;
     }
     refreshActions();

@@ -16,10 +16,17 @@ class ScanControl : public QObject {
 public:
     explicit ScanControl(WindowParts& parts);
 
-    /// Opens a file or an address. With `starts` a simulated scan begins as soon as it is ready.
+    /// Opens a file or an address; a room is simulated as `sim:` does by itself. With `starts` a simulated scan begins
+    /// as soon as it is ready.
     void open(const QString& fileOrAddress, bool starts = false);
 
+    /// Scans a room that is set up.
+    void simulate(const SimulationSetup& setup);
+
 private:
+    void openWith(const SimulatedScanner& simulation, const QString& fileOrAddress, bool starts);
+    void start();
+    void prepareRecording();
     void connectActions();
     void connectSession();
     void act(const Result<void>& result);
@@ -32,7 +39,6 @@ private:
 
     WindowParts& parts_;
     bool startsWhenReady_ = false;
-    std::string editsOf_;
 };
 
 }  // namespace planewright

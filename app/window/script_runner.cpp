@@ -96,8 +96,12 @@ Result<void> ScriptRunner::perform(const QJsonObject& line)
 
 void ScriptRunner::settle()
 {
-    waitUntil([this] { return !parts_.worker.isBusy() && parts_.shown->snapshot == parts_.session.map()->snapshot; },
-              kSettleTime);
+    waitUntil(
+        [this] {
+            return !parts_.worker.isBusy() && !parts_.background.isBusy() &&
+                   parts_.shown->snapshot == parts_.session.map()->snapshot;
+        },
+        kSettleTime);
 }
 
 Result<void> ScriptRunner::open(const QJsonObject& line)

@@ -34,6 +34,15 @@ ViewControl::ViewControl(WindowParts& parts, ThemeFollower& follower)
     connectTheme();
     connectSelection();
     applyLayers();
+    applyDrawing();
+    connect(&parts_, &WindowParts::preferencesChanged, this, &ViewControl::applyDrawing);
+}
+
+void ViewControl::applyDrawing()
+{
+    constexpr double kThousand = 1000.0;
+    parts_.window->view().setPointBudget(static_cast<std::size_t>(kThousand * parts_.preferences.pointBudget));
+    parts_.window->view().setSmoothEdges(parts_.preferences.antiAliasing);
 }
 
 QString ViewControl::textOf(const ViewCamera& camera)
@@ -137,6 +146,8 @@ void ViewControl::connectLayers()
         parts_.window->view().setClipBox(
             Eigen::AlignedBox3d{bounds.min() - margin - Eigen::Vector3d{0.0, 0.0, kMargin}, top + margin});
     });
+    connect(parts_.planesPanel, &PlanesPanel::parameterRequested, this,
+            [this](const QString& key) { parts_.showParameter(key.toStdString()); });
     connect(parts_.planesPanel, &PlanesPanel::showUnfittedRequested, this, [this] {
         parts_.layers[Layer::Unfitted].visible = true;
         applyLayers();

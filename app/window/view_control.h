@@ -31,6 +31,7 @@ private:
     void connectTheme();
     void connectSelection();
     void applyLayers();
+    void applyDrawing();
     void applyTheme(Theme theme);
     void select(const std::optional<Picked>& picked, bool add);
 

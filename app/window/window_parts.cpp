@@ -6,16 +6,16 @@
 #include <utility>
 
 #include <QDateTime>
-#include <QTabWidget>
+#include <QDockWidget>
 
 #include "ui/models/preferences_store.h"
 
 namespace planewright {
 
-WindowParts::WindowParts(SessionOptions options, const QString& settingsFile)
+WindowParts::WindowParts(const ParameterOptions& given, const QString& settingsFile)
     : settings(settingsFile, QSettings::IniFormat),
       preferences(loadPreferences(settings)),
-      session(std::move(options)),
+      session(sessionOptions(given)),
       window(std::make_unique<MainWindow>())
 {
     layers.palette = preferences.palette;
@@ -33,18 +33,38 @@ WindowParts::WindowParts(SessionOptions options, const QString& settingsFile)
 
 WindowParts::~WindowParts() = default;
 
+SessionOptions WindowParts::sessionOptions(const ParameterOptions& given)
+{
+    SessionOptions options;
+    options.chooseParameters = [this, given](const std::string& scanner, std::vector<ParametersFrom> stored) {
+        if (!given.preset.empty() || !stored.empty())
+            return parametersInForce(given, scanner,
+                                     given.preset.empty() ? std::move(stored) : std::vector<ParametersFrom>{});
+        ParameterOptions preferred = given;
+        preferred.preset = preferences.preset;
+        auto chosen = parametersInForce(preferred, scanner, {});
+        if (chosen)
+            return chosen;
+        log(LogSeverity::Warning, tr("preferences"),
+            tr("The preset of a new scan cannot be used, the default is: %1")
+                .arg(QString::fromStdString(chosen.error().message)));
+        return parametersInForce(given, scanner, {});
+    };
+    return options;
+}
+
 void WindowParts::makePanels()
 {
-    auto* setup = new QTabWidget;
-    setup->setObjectName(QStringLiteral("setupTabs"));
-    setup->setDocumentMode(true);
+    setupTabs_ = new QTabWidget;
+    setupTabs_->setObjectName(QStringLiteral("setupTabs"));
+    setupTabs_->setDocumentMode(true);
     sourcePanel = new SourcePanel;
     parametersPanel = new ParametersPanel(parameters);
     layersPanel = new LayersPanel;
-    setup->addTab(sourcePanel, tr("Source"));
-    setup->addTab(parametersPanel, tr("Parameters"));
-    setup->addTab(layersPanel, tr("Layers"));
-    window->setPanel(QStringLiteral("dockSetup"), setup);
+    setupTabs_->addTab(sourcePanel, tr("Source"));
+    setupTabs_->addTab(parametersPanel, tr("Parameters"));
+    setupTabs_->addTab(layersPanel, tr("Layers"));
+    window->setPanel(QStringLiteral("dockSetup"), setupTabs_);
 
     planesPanel = new PlanesPanel(planes, selection);
     planesPanel->setObjectName(QStringLiteral("planesPanel"));
@@ -72,6 +92,13 @@ void WindowParts::take(const std::shared_ptr<const ShownMap>& map)
     emit mapShown();
 }
 
+void WindowParts::showParameter(std::string_view key)
+{
+    window->findChild<QDockWidget*>(QStringLiteral("dockSetup"))->show();
+    setupTabs_->setCurrentWidget(parametersPanel);
+    parametersPanel->showParameter(key);
+}
+
 void WindowParts::showMap()
 {
     worker.show({session.map(), edits.inForce(), session.description(), session.parameters()});
@@ -79,6 +106,8 @@ void WindowParts::showMap()
 
 void WindowParts::log(LogSeverity severity, const QString& source, const QString& text)
 {
+    if (preferences.logDetail == LogDetail::Problems && severity == LogSeverity::Info)
+        return;
     logModel.append({QDateTime::currentDateTime(), severity, source, text});
 }
 

@@ -8,8 +8,11 @@
 
 #include <QObject>
 #include <QSettings>
+#include <QTabWidget>
 
+#include "app/cli/parameter_options.h"
 #include "app/session/scan_session.h"
+#include "app/window/background_work.h"
 #include "app/window/edit_history.h"
 #include "app/window/map_worker.h"
 #include "ui/common/layer_settings.h"
@@ -36,7 +39,8 @@ class WindowParts : public QObject {
     Q_OBJECT
 
 public:
-    WindowParts(SessionOptions options, const QString& settingsFile);
+    /// What the command line says of parameters goes before the preset that the preferences name.
+    WindowParts(const ParameterOptions& parameters, const QString& settingsFile);
     ~WindowParts() override;
 
     /// A line of the log; a problem is also shown as a banner.
@@ -44,6 +48,9 @@ public:
     void problem(const QString& source, const Error& error);
     /// A sentence in the status bar.
     void say(const QString& text);
+
+    /// Lets the user see and change a parameter.
+    void showParameter(std::string_view key);
 
     /// Asks for the session's map with the edits in force.
     void showMap();
@@ -62,6 +69,7 @@ public:
     ScanSession session;
     EditHistory edits;
     MapWorker worker;
+    BackgroundWork background;
     /// What the window shows; never null.
     std::shared_ptr<const ShownMap> shown = std::make_shared<ShownMap>();
 
@@ -84,9 +92,11 @@ signals:
     void preferencesChanged();
 
 private:
+    SessionOptions sessionOptions(const ParameterOptions& given);
     void makePanels();
     void take(const std::shared_ptr<const ShownMap>& map);
 
+    QTabWidget* setupTabs_ = nullptr;
     QStringList editProblems_;
 };
 

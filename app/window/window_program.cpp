@@ -7,7 +7,9 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QOpenGLContext>
 #include <QStandardPaths>
+#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -16,6 +18,7 @@
 #include "app/window/script_runner.h"
 #include "app/window/waiting.h"
 #include "app/window/window_controllers.h"
+#include "ui/models/preferences_store.h"
 #include "ui/models/preset_folder.h"
 #include "ui/theme/theme_follower.h"
 
@@ -31,27 +34,46 @@ int tell(const Error& error)
     return static_cast<int>(exitCodeOf(error.code));
 }
 
-PresenterSettings presenterSettings(const WindowOptions& options)
+/// Whether this display has an OpenGL that the view can be drawn with.
+bool hasOpenGl()
+{
+    QSurfaceFormat wanted;
+    wanted.setVersion(3, 2);
+    wanted.setProfile(QSurfaceFormat::CoreProfile);
+    QOpenGLContext context;
+    context.setFormat(wanted);
+    if (!context.create())
+        return false;
+    const QSurfaceFormat format = context.format();
+    return format.renderableType() == QSurfaceFormat::OpenGL && format.version() >= qMakePair(3, 2);
+}
+
+PresenterSettings presenterSettings(const WindowOptions& options, Renderer preferred)
 {
     PresenterSettings settings;
     const QString platform = QGuiApplication::platformName();
     settings.image = platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") ||
-                     options.renderer == RendererChoice::Osmesa || options.renderer == RendererChoice::Egl;
+                     options.renderer == RendererChoice::Osmesa || options.renderer == RendererChoice::Egl ||
+                     (options.renderer == RendererChoice::Auto &&
+                      (preferred == Renderer::Software || (preferred == Renderer::Automatic && !hasOpenGl())));
     settings.offscreen = options.renderer == RendererChoice::Egl      ? OffscreenRenderer::Egl
                          : options.renderer == RendererChoice::Osmesa ? OffscreenRenderer::Osmesa
                                                                       : OffscreenRenderer::Auto;
     return settings;
 }
 
-SessionOptions sessionOptions(const WindowOptions& options)
+/// Somebody asked for safe mode now, or the last time for this start.
+bool isSafeMode(const WindowOptions& options, const QString& config)
 {
-    SessionOptions session;
-    session.chooseParameters = [parameters = options.parameters](const std::string& scanner,
-                                                                 std::vector<ParametersFrom> stored) {
-        return parametersInForce(parameters, scanner,
-                                 parameters.preset.empty() ? std::move(stored) : std::vector<ParametersFrom>{});
-    };
-    return session;
+    if (options.safeMode || options.offscreen)
+        return options.safeMode;
+    QSettings settings(config + "/window.ini", QSettings::IniFormat);
+    Preferences preferences = loadPreferences(settings);
+    if (!preferences.safeModeNextStart)
+        return false;
+    preferences.safeModeNextStart = false;
+    savePreferences(preferences, settings);
+    return true;
 }
 
 /// What the command line asks for beyond showing the window; the exit code.
@@ -96,15 +118,22 @@ int runWindow(const WindowOptions& options, int& argc, char** argv)
 
     const QString config = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/planewright";
     // Pictures and scripts must not depend on what somebody has set up.
-    const bool plain = options.safeMode || options.offscreen;
+    const bool plain = options.offscreen || isSafeMode(options, config);
     const QTemporaryDir scratch;
     ThemeFollower follower;
-    WindowParts parts(sessionOptions(options), (plain ? scratch.path() : config) + "/window.ini");
+    WindowParts parts(options.parameters, (plain ? scratch.path() : config) + "/window.ini");
     if (options.theme || plain)
         parts.preferences.theme = options.theme == Theme::Dark ? ThemeChoice::Dark : ThemeChoice::Light;
-    PresetFolder(config + "/presets").load(parts.parameters);
+    const PresetFolder presets(config + "/presets");
+    for (const QString& problem : presets.load(parts.parameters))
+        parts.log(LogSeverity::Warning, QStringLiteral("presets"), problem);
+    parts.parametersPanel->setPresetKeeper([&presets](const QString& name, const Parameters& parameters) {
+        const auto saved = presets.save(name, parameters);
+        return saved ? QString() : QString::fromStdString(saved.error().message);
+    });
 
-    if (const auto presented = parts.window->view().present(presenterSettings(options)); !presented)
+    const Renderer preferred = parts.preferences.renderer;
+    if (const auto presented = parts.window->view().present(presenterSettings(options, preferred)); !presented)
         return tell(presented.error());
     WindowControllers controllers(parts, follower);
     ScanControl& scan = controllers.scan;

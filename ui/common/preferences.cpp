@@ -21,7 +21,8 @@ Preferences validated(Preferences preferences)
 {
     const Preferences defaults;
     preferences.lengths.decimals = std::clamp(preferences.lengths.decimals, 0, kMostDecimals);
-    preferences.pointBudget = within(preferences.pointBudget, 0.1, 100.0, defaults.pointBudget);
+    preferences.pointBudget =
+        within(preferences.pointBudget, kFewestPointsMoving, kMostPointsMoving, defaults.pointBudget);
     preferences.freeSpaceFloor = within(preferences.freeSpaceFloor, 0.0, 1000.0, defaults.freeSpaceFloor);
     if (preferences.preset.empty())
         preferences.preset = defaults.preset;

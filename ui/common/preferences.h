@@ -20,7 +20,10 @@ enum class ThemeChoice { System, Light, Dark };
 enum class Renderer { Automatic, Gpu, Software };
 
 /// What is written to the log.
-enum class LogDetail { Errors, Normal, Everything };
+enum class LogDetail { Problems, Everything };
+
+inline constexpr double kFewestPointsMoving = 10.0;     // [thousand]
+inline constexpr double kMostPointsMoving = 100'000.0;  // [thousand]
 
 /// What the user has chosen once and for all, as one value. Its defaults are those of a first start.
 struct Preferences {
@@ -30,8 +33,8 @@ struct Preferences {
 
     // View
     Renderer renderer = Renderer::Automatic;
-    double pointBudget = 2.0;  ///< points drawn while the view moves [million], 0.1 to 100
-    bool antiAliasing = true;
+    double pointBudget = 50.0;  ///< points drawn while the view moves [thousand]
+    bool antiAliasing = true;   ///< on a graphics card; in software it would take twice the time
     PlanePalette palette = PlanePalette::Normal;
 
     // Scan
@@ -44,7 +47,7 @@ struct Preferences {
     std::map<std::string, std::vector<std::string>> shortcuts;
 
     // Advanced
-    LogDetail logDetail = LogDetail::Normal;
+    LogDetail logDetail = LogDetail::Everything;
     bool safeModeNextStart = false;
 
     friend bool operator==(const Preferences&, const Preferences&) = default;

@@ -43,9 +43,10 @@ PreferencesPage* makeViewPage(QWidget* parent)
     auto* page = new PreferencesPage(tr("View"), parent);
     page->addChoice(tr("Renderer, from the next start on"), QStringLiteral("renderer"),
                     {tr("Automatic"), tr("Graphics card"), tr("Software")}, &Preferences::renderer);
-    page->addNumber(tr("Points drawn while the view moves"), QStringLiteral("pointBudget"), tr("million"), 0.1, 100.0,
-                    1, &Preferences::pointBudget);
-    page->addToggle(tr("Smooth edges"), QStringLiteral("antiAliasing"), &Preferences::antiAliasing);
+    page->addNumber(tr("Points drawn while the view moves"), QStringLiteral("pointBudget"), tr("thousand"),
+                    kFewestPointsMoving, kMostPointsMoving, 0, &Preferences::pointBudget);
+    page->addToggle(tr("Smooth edges, with a graphics card"), QStringLiteral("antiAliasing"),
+                    &Preferences::antiAliasing);
     page->addChoice(tr("Colours of planes"), QStringLiteral("palette"),
                     {tr("Normal"), tr("Colour-blind"), tr("High contrast")}, &Preferences::palette);
     return page;
@@ -66,7 +67,7 @@ PreferencesPage* makeScanPage(const QStringList& presets, QWidget* parent)
 PreferencesPage* makeAdvancedPage(const QList<QAction*>& actions, QWidget* parent)
 {
     auto* page = new PreferencesPage(tr("Advanced"), parent);
-    page->addChoice(tr("Log"), QStringLiteral("logDetail"), {tr("Errors and warnings"), tr("Normal"), tr("Everything")},
+    page->addChoice(tr("Log"), QStringLiteral("logDetail"), {tr("Errors and warnings"), tr("Everything")},
                     &Preferences::logDetail);
     page->addToggle(tr("Safe mode at the next start"), QStringLiteral("safeMode"), &Preferences::safeModeNextStart);
     for (QAction* action : actions) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<const char*, 3> kThemes{"system", "light", "dark"};
 constexpr std::array<const char*, 3> kRenderers{"automatic", "gpu", "software"};
 constexpr std::array<const char*, 3> kPalettes{"normal", "colour-blind", "high-contrast"};
-constexpr std::array<const char*, 3> kDetails{"errors", "normal", "everything"};
+constexpr std::array<const char*, 2> kDetails{"problems", "everything"};
 const QString kShortcuts = QStringLiteral("shortcuts");
 
 /// Reads what is there and has the right form; the rest stays as it is.

@@ -13,6 +13,14 @@
 
 namespace planewright {
 
+void SwatchDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
+{
+    QStyledItemDelegate::initStyleOption(option, index);
+    // Styles mix the colour of a selection into pictures of which they are given none for it.
+    if (!option->icon.isNull())
+        option->icon.addPixmap(option->icon.pixmap(option->decorationSize), QIcon::Selected);
+}
+
 void LimitBarDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
     QStyledItemDelegate::paint(painter, option, index);

@@ -7,6 +7,17 @@
 
 namespace planewright {
 
+/// A square of the plane's colour, which stays what it is where the row is selected.
+class SwatchDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+};
+
 /// A number with a bar below that shows how much of its limit it has used up; above the limit the bar is hatched.
 class LimitBarDelegate : public QStyledItemDelegate {
     Q_OBJECT

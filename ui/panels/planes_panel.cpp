@@ -85,6 +85,7 @@ PlanesPanel::PlanesPanel(PlanesModel& model, MapSelection& selection, QWidget* p
     setFocusProxy(table_->view());
 
     QTableView* view = table_->view();
+    view->setItemDelegateForColumn(column(PlaneColumn::Colour), new SwatchDelegate(view));
     view->setItemDelegateForColumn(column(PlaneColumn::Error), new LimitBarDelegate(view));
     view->setItemDelegateForColumn(column(PlaneColumn::Class), new ClassDelegate(view));
     view->setEditTriggers(QAbstractItemView::EditKeyPressed);

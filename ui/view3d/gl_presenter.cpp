@@ -100,6 +100,13 @@ void GlPresenter::requestPicture(Detail detail)
     update();
 }
 
+void GlPresenter::setSmoothEdges(bool smooth)
+{
+    constexpr int kSamples = 4;
+    window_->SetMultiSamples(smooth ? kSamples : 0);
+    update();
+}
+
 /// Puts what VTK drew where Qt shows it, opaque.
 void GlPresenter::bindOutput()
 {

@@ -25,6 +25,8 @@ public:
 
     QWidget& widget() override { return *this; }
     void requestPicture(Detail detail) override;
+    void setPointBudget(std::size_t points) override { pointBudget_ = points; }
+    void setSmoothEdges(bool smooth) override;
     QImage picture(QSize size, double pixelRatio) override;
     QString rendererName() const override;
 

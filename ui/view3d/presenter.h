@@ -32,6 +32,10 @@ public:
     /// The scene or the camera has changed: a picture with this detail is due.
     virtual void requestPicture(Detail detail) = 0;
 
+    /// How many points are drawn while something moves, and whether edges are smooth where that is cheap.
+    virtual void setPointBudget(std::size_t points) = 0;
+    virtual void setSmoothEdges(bool smooth) = 0;
+
     /// A picture of the scene in full detail at this size [pixels], apart from what the widget shows.
     virtual QImage picture(QSize size, double pixelRatio) = 0;
 

@@ -84,6 +84,18 @@ void View3d::request(Detail detail)
 }
 
 /// While slices arrive the view moves; full detail comes when it rests.
+void View3d::setPointBudget(std::size_t points)
+{
+    if (presenter_)
+        presenter_->setPointBudget(points);
+}
+
+void View3d::setSmoothEdges(bool smooth)
+{
+    if (presenter_)
+        presenter_->setSmoothEdges(smooth);
+}
+
 void View3d::setMap(std::shared_ptr<const ShownMap> map)
 {
     const bool wasEmpty = scene_.bounds().isEmpty();

@@ -34,6 +34,9 @@ public:
     /// Errors: NoRenderer; the view then stays empty.
     Result<void> present(const PresenterSettings& settings);
 
+    void setPointBudget(std::size_t points);
+    void setSmoothEdges(bool smooth);
+
     MapScene& scene() { return scene_; }
     Presenter* presenter() { return presenter_.get(); }
 

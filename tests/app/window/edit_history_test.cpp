@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/formats/pwscan_writer.h"
+
 namespace planewright {
 
 class EditHistoryTest : public QObject {
@@ -16,6 +18,7 @@ private slots:
     void aNewEditEndsWhatCanBeRedone();
     void withoutEditsNothingHappens();
     void whatAFileHoldsAsUndoneCanBeRedone();
+    void editsFromBeforeTheFileGoIntoIt();
 };
 
 namespace {
@@ -87,6 +90,31 @@ void EditHistoryTest::whatAFileHoldsAsUndoneCanBeRedone()
     QVERIFY(history.redo());
 
     QCOMPARE(names(history), (std::vector<std::string>{"a", "b"}));
+}
+
+void EditHistoryTest::editsFromBeforeTheFileGoIntoIt()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.pwscan").toStdString();
+    const auto writer = PwscanWriter::create(path, ScanRecord{});
+    QVERIFY2(writer, writer ? "" : writer.error().message.c_str());
+    auto project = PwscanProject::open(path);
+    QVERIFY(project);
+    EditHistory history;
+    QVERIFY(history.add(renamed(1, "a")));
+    QVERIFY(history.add(renamed(2, "b")));
+    QVERIFY(history.undo());
+
+    QVERIFY(history.moveInto(&*project, 1));
+    QVERIFY(history.add(renamed(3, "c")));
+
+    const auto stored = project->edits(1);
+    QVERIFY(stored);
+    QCOMPARE(stored->size(), std::size_t(3));
+    QCOMPARE((*stored)[0].edit.text, std::string("a"));
+    QVERIFY((*stored)[1].undone);
+    QCOMPARE((*stored)[2].edit.text, std::string("c"));
+    QCOMPARE(names(history), (std::vector<std::string>{"a", "c"}));
 }
 
 }  // namespace planewright

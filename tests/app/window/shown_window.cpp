@@ -10,7 +10,7 @@
 
 namespace planewright {
 
-ShownWindow::ShownWindow(const QString& settingsFile) : parts(SessionOptions{}, settingsFile)
+ShownWindow::ShownWindow(const QString& settingsFile) : parts(ParameterOptions{}, settingsFile)
 {
     parts.preferences.theme = ThemeChoice::Light;
 }

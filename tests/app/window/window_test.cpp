@@ -220,8 +220,10 @@ void WindowTest::exportsAreTheBytesOfTheCommandLine()
     QVERIFY(shown_->scanCorridor());
     const QString file = folder_.filePath("planes.csv");
 
-    const auto done = exportScan(*parts_, ExportKind::PlanesFound, file);
+    const auto write = exportOf(*parts_, ExportKind::PlanesFound, file);
 
+    QVERIFY2(write, write ? "" : write.error().message.c_str());
+    const auto done = (*write)();
     QVERIFY2(done, done ? "" : done.error().message.c_str());
     // The same slices in one go, as the command line extracts them.
     const SessionMap& map = *parts_->session.map();

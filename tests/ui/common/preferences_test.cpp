@@ -34,7 +34,7 @@ void PreferencesTest::numbersAreBroughtIntoTheirLimits()
     const Preferences valid = validated(preferences);
 
     QCOMPARE(valid.lengths.decimals, 4);
-    QCOMPARE(valid.pointBudget, 0.1);
+    QCOMPARE(valid.pointBudget, kFewestPointsMoving);
     QCOMPARE(valid.freeSpaceFloor, 1000.0);
     QCOMPARE(valid.preset, std::string("precise"));
 }

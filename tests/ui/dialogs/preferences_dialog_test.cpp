@@ -79,7 +79,7 @@ void PreferencesDialogTest::whatIsLoadedComesBack()
     chosen.theme = ThemeChoice::Light;
     chosen.lengths = {.millimetres = true, .decimals = 4};
     chosen.renderer = Renderer::Gpu;
-    chosen.pointBudget = 12.5;
+    chosen.pointBudget = 120.0;
     chosen.antiAliasing = false;
     chosen.palette = PlanePalette::ColourBlind;
     chosen.recordFolder = "/data";
@@ -87,7 +87,7 @@ void PreferencesDialogTest::whatIsLoadedComesBack()
     chosen.preset = "Brick walls";
     chosen.alarmSound = false;
     chosen.shortcuts = {{"actFit", {"Shift+F"}}};
-    chosen.logDetail = LogDetail::Errors;
+    chosen.logDetail = LogDetail::Problems;
     chosen.safeModeNextStart = true;
 
     open(chosen);
@@ -99,7 +99,7 @@ void PreferencesDialogTest::fieldsGiveTheirMembers()
 {
     find<QComboBox>("theme")->setCurrentText("Dark");
     find<QComboBox>("lengthUnit")->setCurrentText("Millimetres");
-    find<QDoubleSpinBox>("pointBudget")->setValue(3.0);
+    find<QDoubleSpinBox>("pointBudget")->setValue(30.0);
     find<QLineEdit>("recordFolderPath")->setText(" /data ");
     find<QCheckBox>("safeMode")->setChecked(true);
 
@@ -107,7 +107,7 @@ void PreferencesDialogTest::fieldsGiveTheirMembers()
 
     QCOMPARE(preferences.theme, ThemeChoice::Dark);
     QVERIFY(preferences.lengths.millimetres);
-    QCOMPARE(preferences.pointBudget, 3.0);
+    QCOMPARE(preferences.pointBudget, 30.0);
     QCOMPARE(preferences.recordFolder, std::string("/data"));
     QVERIFY(preferences.safeModeNextStart);
 }

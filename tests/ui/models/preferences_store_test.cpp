@@ -26,7 +26,7 @@ Preferences someChoice()
     chosen.theme = ThemeChoice::Dark;
     chosen.lengths = {.millimetres = true, .decimals = 3};
     chosen.renderer = Renderer::Software;
-    chosen.pointBudget = 0.5;
+    chosen.pointBudget = 120.0;
     chosen.antiAliasing = false;
     chosen.palette = PlanePalette::HighContrast;
     chosen.recordFolder = "/data/Scans für Ö";
@@ -34,7 +34,7 @@ Preferences someChoice()
     chosen.preset = "Brick walls";
     chosen.alarmSound = false;
     chosen.shortcuts = {{"actStart", {"F5", "Ctrl+Return"}}, {"actFit", {"Shift+,"}}};
-    chosen.logDetail = LogDetail::Everything;
+    chosen.logDetail = LogDetail::Problems;
     chosen.safeModeNextStart = true;
     return chosen;
 }
