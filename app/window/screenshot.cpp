@@ -8,7 +8,7 @@
 #include <QImageWriter>
 #include <QSaveFile>
 
-#include "app/window/view_control.h"
+#include "app/window/view_text.h"
 #include "core/params/registry.h"
 
 namespace planewright {
@@ -32,7 +32,7 @@ QImage takePicture(WindowParts& parts, QSize size, bool wholeWindow)
     }
     image.setText(QStringLiteral("Software"), QStringLiteral("planewright " PLANEWRIGHT_VERSION));
     image.setText(QStringLiteral("Step"), QString::number(parts.shown->step));
-    image.setText(QStringLiteral("Camera"), ViewControl::textOf(view.camera()));
+    image.setText(QStringLiteral("Camera"), textOf(view.camera()));
     QStringList parameters;
     for (const ParameterRow& row : parameterRows())
         parameters.push_back(QString::fromUtf8(row.key.data(), static_cast<qsizetype>(row.key.size())) +

@@ -6,12 +6,14 @@
 #include <algorithm>
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QMetaProperty>
 
 #include "app/window/screenshot.h"
+#include "app/window/view_text.h"
 #include "app/window/waiting.h"
 
 namespace planewright {
@@ -96,6 +98,8 @@ Result<void> ScriptRunner::perform(const QJsonObject& line)
 
 void ScriptRunner::settle()
 {
+    // What an action leads to comes by events as well: layouts above all.
+    QCoreApplication::processEvents();
     waitUntil(
         [this] {
             return !parts_.worker.isBusy() && !parts_.background.isBusy() &&
@@ -143,17 +147,12 @@ Result<void> ScriptRunner::select(const QJsonObject& line)
         parts_.selection.select({id});
         return {};
     }
-    const QStringList parts = text(line, "segment").split(QLatin1Char('.'));
-    bool stepGood = false;
-    bool indexGood = false;
-    if (parts.size() == 2) {
-        const SegmentId id{parts[0].toInt(&stepGood), parts[1].toInt(&indexGood)};
+    if (const auto id = segmentIdOf(text(line, "segment"))) {
         const auto snapshot = parts_.shown->snapshot;
-        const std::size_t slice = snapshot ? snapshot->segments.find(id.step) : 0;
-        const bool there = snapshot && slice < snapshot->segments.slices() && id.index >= 0 &&
-                           static_cast<std::size_t>(id.index) < snapshot->segments.slice(slice).size();
-        if (stepGood && indexGood && there) {
-            parts_.selection.select({}, {id});
+        const std::size_t slice = snapshot ? snapshot->segments.find(id->step) : 0;
+        if (snapshot && slice < snapshot->segments.slices() &&
+            static_cast<std::size_t>(id->index) < snapshot->segments.slice(slice).size()) {
+            parts_.selection.select({}, {*id});
             return {};
         }
     }

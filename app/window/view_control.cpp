@@ -8,6 +8,7 @@
 
 #include <QActionGroup>
 
+#include "app/window/view_text.h"
 #include "ui/models/preferences_store.h"
 #include "ui/theme/theme.h"
 
@@ -43,33 +44,6 @@ void ViewControl::applyDrawing()
     constexpr double kThousand = 1000.0;
     parts_.window->view().setPointBudget(static_cast<std::size_t>(kThousand * parts_.preferences.pointBudget));
     parts_.window->view().setSmoothEdges(parts_.preferences.antiAliasing);
-}
-
-QString ViewControl::textOf(const ViewCamera& camera)
-{
-    QStringList numbers;
-    for (const double number : {camera.target.x(), camera.target.y(), camera.target.z(), camera.distance,
-                                camera.heading, camera.elevation, camera.viewAngle, camera.parallel ? 1.0 : 0.0})
-        numbers.push_back(QString::number(number, 'g', 10));
-    return numbers.join(QLatin1Char(' '));
-}
-
-std::optional<ViewCamera> ViewControl::cameraOf(const QString& text)
-{
-    const QStringList words = text.split(QLatin1Char(' '));
-    std::array<double, 8> numbers{};
-    if (words.size() != static_cast<qsizetype>(numbers.size()))
-        return std::nullopt;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        bool good = false;
-        numbers[i] = words[static_cast<qsizetype>(i)].toDouble(&good);
-        if (!good || !std::isfinite(numbers[i]))
-            return std::nullopt;
-    }
-    if (!(numbers[3] > 0.0) || !(numbers[6] > 0.01) || !(numbers[6] < 3.0))
-        return std::nullopt;
-    return ViewCamera{
-        {numbers[0], numbers[1], numbers[2]}, numbers[3], numbers[4], numbers[5], numbers[6], numbers[7] != 0.0};
 }
 
 void ViewControl::connectCameras()
@@ -125,27 +99,7 @@ void ViewControl::connectLayers()
             applyLayers();
         });
     }
-    connect(parts_.layersPanel, &LayersPanel::settingsChanged, this, [this](const LayerSettings& settings) {
-        const PlanePalette palette = parts_.layers.palette;
-        parts_.layers = settings;
-        parts_.layers.palette = palette;
-        applyLayers();
-    });
-    // The clip box is the upper part of what was scanned taken away: one looks into the room from above.
-    connect(parts_.window->actions()[QStringLiteral("actClipBox")], &QAction::toggled, this, [this](bool on) {
-        const Eigen::AlignedBox3d& bounds = parts_.window->view().scene().bounds();
-        if (!on || bounds.isEmpty()) {
-            parts_.window->view().setClipBox(std::nullopt);
-            return;
-        }
-        constexpr double kMargin = 0.1;
-        constexpr double kShown = 0.6;
-        Eigen::Vector3d top = bounds.max();
-        top.z() = bounds.min().z() + kShown * bounds.sizes().z();
-        const Eigen::Vector3d margin{kMargin, kMargin, 0.0};
-        parts_.window->view().setClipBox(
-            Eigen::AlignedBox3d{bounds.min() - margin - Eigen::Vector3d{0.0, 0.0, kMargin}, top + margin});
-    });
+    connect(parts_.layersPanel, &LayersPanel::settingsChanged, this, &ViewControl::setLayers);
     connect(parts_.planesPanel, &PlanesPanel::parameterRequested, this,
             [this](const QString& key) { parts_.showParameter(key.toStdString()); });
     connect(parts_.planesPanel, &PlanesPanel::showUnfittedRequested, this, [this] {
@@ -175,6 +129,14 @@ void ViewControl::connectColours()
             static_cast<ColourBy>((static_cast<std::size_t>(parts_.layers.colourBy) + 1) % kColourings);
         applyLayers();
     });
+}
+
+void ViewControl::setLayers(const LayerSettings& settings)
+{
+    const PlanePalette palette = parts_.layers.palette;
+    parts_.layers = settings;
+    parts_.layers.palette = palette;
+    applyLayers();
 }
 
 void ViewControl::applyLayers()

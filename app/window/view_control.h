@@ -20,9 +20,8 @@ public:
     /// `follower` was made while the application still had the desktop's palette.
     ViewControl(WindowParts& parts, ThemeFollower& follower);
 
-    /// A camera as text, and back; none where the text is no camera.
-    static QString textOf(const ViewCamera& camera);
-    static std::optional<ViewCamera> cameraOf(const QString& text);
+    /// Layers as they are to be; the palette stays.
+    void setLayers(const LayerSettings& settings);
 
 private:
     void connectCameras();

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include "app/window/clip_control.h"
 #include "app/window/file_control.h"
+#include "app/window/kept_view.h"
 #include "app/window/measure_control.h"
 #include "app/window/plane_edits.h"
 #include "app/window/program_control.h"
@@ -15,16 +17,26 @@ namespace planewright {
 /// All that connects the window's parts.
 struct WindowControllers {
     WindowControllers(WindowParts& parts, ThemeFollower& follower)
-        : view(parts, follower), scan(parts), edits(parts), measure(parts), files(parts, scan), program(parts)
+        : view(parts, follower),
+          clip(parts),
+          scan(parts),
+          edits(parts),
+          measure(parts),
+          files(parts, scan),
+          program(parts),
+          kept(parts)
     {
+        QObject::connect(&kept, &KeptView::layersRead, &view, &ViewControl::setLayers);
     }
 
     ViewControl view;
+    ClipControl clip;
     ScanControl scan;
     PlaneEdits edits;
     MeasureControl measure;
     FileControl files;
     ProgramControl program;
+    KeptView kept;
 };
 
 }  // namespace planewright

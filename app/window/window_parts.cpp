@@ -7,6 +7,7 @@
 
 #include <QDateTime>
 #include <QDockWidget>
+#include <QVBoxLayout>
 
 #include "ui/models/preferences_store.h"
 
@@ -61,9 +62,15 @@ void WindowParts::makePanels()
     sourcePanel = new SourcePanel;
     parametersPanel = new ParametersPanel(parameters);
     layersPanel = new LayersPanel;
+    clipBoxPanel = new ClipBoxPanel;
+    auto* look = new QWidget;
+    auto* lookLayout = new QVBoxLayout(look);
+    lookLayout->setContentsMargins({});
+    lookLayout->addWidget(layersPanel, 1);
+    lookLayout->addWidget(clipBoxPanel);
     setupTabs_->addTab(sourcePanel, tr("Source"));
     setupTabs_->addTab(parametersPanel, tr("Parameters"));
-    setupTabs_->addTab(layersPanel, tr("Layers"));
+    setupTabs_->addTab(look, tr("Layers"));
     window->setPanel(QStringLiteral("dockSetup"), setupTabs_);
 
     planesPanel = new PlanesPanel(planes, selection);

@@ -24,6 +24,7 @@
 #include "ui/models/parameter_model.h"
 #include "ui/models/planes_model.h"
 #include "ui/models/segments_model.h"
+#include "ui/panels/clip_box_panel.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/measure_panel.h"
@@ -83,6 +84,7 @@ public:
     LogPanel* logPanel;
     ParametersPanel* parametersPanel;
     LayersPanel* layersPanel;
+    ClipBoxPanel* clipBoxPanel;
     SourcePanel* sourcePanel;
 
 signals:

@@ -139,7 +139,9 @@ int runWindow(const WindowOptions& options, int& argc, char** argv)
     ScanControl& scan = controllers.scan;
     if (!plain)
         parts.window->restoreLayout(parts.settings);
+    controllers.kept.setWrites(!options.offscreen);
     parts.window->beforeClose = [&] {
+        controllers.kept.save();
         (void)parts.session.stopMotion();
         if (!plain)
             parts.window->saveLayout(parts.settings);

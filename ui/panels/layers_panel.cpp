@@ -21,6 +21,7 @@ namespace planewright {
 namespace {
 
 constexpr double kPercent = 100.0;
+constexpr int kSizeWidth = 54;  // [px]
 
 QString textOf(std::string_view ascii)
 {
@@ -42,7 +43,7 @@ LayersPanel::LayersPanel(QWidget* parent)
     auto* content = new QWidget(this);
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(8, 8, 8, 8);
-    grid->setHorizontalSpacing(8);
+    grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(1, 1);
 
@@ -55,7 +56,7 @@ LayersPanel::LayersPanel(QWidget* parent)
     grid->addWidget(colourLabel, 0, 0);
     grid->addWidget(colourBy_, 0, 1, 1, 2);
     auto* opacityTitle = new QLabel(tr("Opacity"), content);
-    auto* sizeTitle = new QLabel(tr("Size"), content);
+    auto* sizeTitle = new QLabel(tr("Size, px"), content);
     grid->addWidget(opacityTitle, 1, 1);
     grid->addWidget(sizeTitle, 1, 2);
     for (std::size_t i = 0; i < kLayers; ++i)
@@ -90,14 +91,14 @@ void LayersPanel::addRow(QGridLayout* grid, Layer layer)
     row.opacity->setObjectName(QStringLiteral("opacity%1").arg(static_cast<int>(layer)));
     row.opacity->setRange(5, 100);
     row.opacity->setPageStep(10);
-    row.opacity->setMinimumWidth(60);
+    row.opacity->setMinimumWidth(30);
     row.opacity->setAccessibleName(tr("Opacity of %1, percent").arg(name));
     row.size = new PlainSpinBox(this);
     row.size->setObjectName(QStringLiteral("size%1").arg(static_cast<int>(layer)));
     row.size->setRange(0.5, 20.0);
     row.size->setSingleStep(0.5);
     row.size->setDecimals(1);
-    row.size->setSuffix(tr(" px"));
+    row.size->setFixedWidth(kSizeWidth);
     row.size->setAccessibleName(tr("Size of %1, pixels").arg(name));
     const int line = grid->rowCount();
     grid->addWidget(row.visible, line, 0);

@@ -31,10 +31,12 @@ private slots:
     void aFolderThatTakesNothingIsToldAndTheScanGoesOn();
     void tooLittleSpaceIsToldBeforeItScans();
     void aRoomIsScannedAsItWasSetUp();
+    void aProjectOpensAsItWasLeft();
     void aCopyHoldsWhatWasMeasuredAndTheEdits();
     void aCopyOfAProjectHoldsAllOfIt();
 
 private:
+    void openWindow();
     void record(const QString& folder);
     Banner& banner() { return shown_->parts.window->banner(); }
     bool comesToReview();
@@ -46,6 +48,11 @@ private:
 void RecordingWindowTest::init()
 {
     folder_ = std::make_unique<QTemporaryDir>();
+    openWindow();
+}
+
+void RecordingWindowTest::openWindow()
+{
     auto shown = ShownWindow::open(folder_->filePath("settings.ini"));
     QVERIFY2(shown, shown ? "" : shown.error().message.c_str());
     shown_ = std::move(*shown);
@@ -177,6 +184,31 @@ void RecordingWindowTest::aRoomIsScannedAsItWasSetUp()
         constexpr double kRounding = 0.00051;  // a scanner gives millimetres
         return std::abs(a - b) < kRounding || (std::isnan(a) && std::isnan(b));
     }));
+}
+
+void RecordingWindowTest::aProjectOpensAsItWasLeft()
+{
+    record(folder_->path());
+    QVERIFY(shown_->scanCorridor());
+    const QString file = QString::fromStdString(shown_->parts.session.project()->path());
+    shown_->parts.window->view().showNamed(NamedView::Top);
+    const double heading = shown_->parts.window->view().camera().heading;
+    const double elevation = shown_->parts.window->view().camera().elevation;
+    shown_->action("actLayerClusters")->setChecked(false);
+    const PlaneId plane = shown_->parts.shown->planes[2].plane->id;
+    shown_->parts.selection.select({plane});
+    shown_->controllers->kept.save();
+
+    shown_.reset();
+    openWindow();
+    shown_->controllers->scan.open(file);
+    QVERIFY(comesToReview());
+    QVERIFY(waitForRest(shown_->parts, kPatience));
+
+    QVERIFY(shown_->parts.selection.planes() == std::set<PlaneId>{plane});
+    QVERIFY(!shown_->parts.layers[Layer::Clusters].visible);
+    QVERIFY(std::abs(shown_->parts.window->view().camera().heading - heading) < 1e-6);
+    QVERIFY(std::abs(shown_->parts.window->view().camera().elevation - elevation) < 1e-6);
 }
 
 void RecordingWindowTest::aCopyHoldsWhatWasMeasuredAndTheEdits()
