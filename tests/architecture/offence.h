@@ -15,7 +15,7 @@ struct Offence {
     std::string rule;  ///< the rule and what breaks it
 
     /// `file:line: rule`, as compilers print it.
-    std::string text() const { return file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + rule; }
+    std::string text() const { return (line > 0 ? file + ':' + std::to_string(line) : file) + ": " + rule; }
 };
 
 using Offences = std::vector<Offence>;
