@@ -3,8 +3,6 @@
 
 #include "app/window/map_worker.h"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "core/pipeline/apply_edits.h"
@@ -12,9 +10,6 @@
 namespace planewright {
 
 namespace {
-
-/// A map with some outlines is shown after this time, while the rest are still worked out.
-constexpr std::chrono::milliseconds kShowAfter{60};
 
 std::shared_ptr<ShownMap> withEdits(const MapRequest& request, QStringList& problems)
 {
@@ -39,7 +34,12 @@ std::shared_ptr<ShownMap> withEdits(const MapRequest& request, QStringList& prob
 
 }  // namespace
 
-MapWorker::MapWorker(QObject* parent) : QObject(parent), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+MapWorker::MapWorker(QObject* parent)
+    : QObject(parent),
+      outlines_([this] { post([this] { tellMore(); }); }),
+      thread_([this](const std::stop_token& stop) { run(stop); })
+{
+}
 
 MapWorker::~MapWorker()
 {
@@ -58,14 +58,10 @@ void MapWorker::show(MapRequest request)
 
 bool MapWorker::isBusy() const
 {
+    if (outlines_.isBusy())
+        return true;
     const std::lock_guard lock(mutex_);
-    return busy_ || next_.has_value();
-}
-
-bool MapWorker::isSuperseded() const
-{
-    const std::lock_guard lock(mutex_);
-    return next_.has_value() || thread_.get_stop_token().stop_requested();
+    return busy_ || posted_ > 0 || next_.has_value();
 }
 
 void MapWorker::run(const std::stop_token& stop)
@@ -79,69 +75,56 @@ void MapWorker::run(const std::stop_token& stop)
             request = std::exchange(next_, std::nullopt);
             busy_ = true;
         }
-        work(*request);
+        QStringList problems;
+        std::shared_ptr<ShownMap> edited = withEdits(*request, problems);
+        post([this, edited = std::move(edited), problems] { take(edited, problems); });
         const std::lock_guard lock(mutex_);
         busy_ = false;
     }
 }
 
-void MapWorker::work(const MapRequest& request)
+void MapWorker::post(std::function<void()> what)
 {
-    QStringList problems;
-    const std::shared_ptr<ShownMap> edited = withEdits(request, problems);
-    if (!edited->snapshot) {
-        known_.clear();
-        lastOfId_.clear();
+    {
+        const std::lock_guard lock(mutex_);
+        ++posted_;
     }
-    for (bool whole = false; !whole;) {
-        auto map = std::make_shared<ShownMap>(*edited);
-        whole = !map->snapshot || fillOutlines(*map, *map->snapshot);
-        publish(std::move(map), problems);
-        if (isSuperseded())
-            return;
-    }
-}
-
-/// Gives planes the outlines that are known, and works out others until it is time to show something. True where none
-/// is left.
-bool MapWorker::fillOutlines(ShownMap& map, const Snapshot& snapshot)
-{
-    std::unordered_map<const Plane*, Known> kept;
-    std::vector<ShownPlane*> open;
-    for (ShownPlane& plane : map.planes) {
-        if (const auto found = known_.find(plane.plane.get()); found != known_.end()) {
-            plane.outline = found->second.outline;
-            kept.insert(*found);
-            continue;
-        }
-        if (const auto last = lastOfId_.find(plane.plane->id); last != lastOfId_.end())
-            plane.outline = last->second;
-        open.push_back(&plane);
-    }
-    known_ = std::move(kept);
-    // Those without any outline first, then those whose outline is oldest.
-    std::stable_sort(open.begin(), open.end(), [](const ShownPlane* a, const ShownPlane* b) {
-        const auto age = [](const ShownPlane& plane) { return plane.outline ? plane.outline->revision : 0; };
-        return age(*a) < age(*b);
-    });
-
-    const auto begun = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        if (i > 0 && std::chrono::steady_clock::now() - begun > kShowAfter)
-            return false;
-        ShownPlane& plane = *open[i];
-        plane.outline = filledOutlineOf(*plane.plane, snapshot.segments);
-        known_[plane.plane.get()] = {plane.plane, plane.outline};
-        lastOfId_[plane.plane->id] = plane.outline;
-    }
-    return true;
-}
-
-void MapWorker::publish(std::shared_ptr<const ShownMap> map, QStringList problems)
-{
     QMetaObject::invokeMethod(
-        this, [this, map = std::move(map), problems = std::move(problems)] { emit shown(map, problems); },
+        this,
+        [this, what = std::move(what)] {
+            what();
+            const std::lock_guard lock(mutex_);
+            --posted_;
+        },
         Qt::QueuedConnection);
+}
+
+void MapWorker::take(std::shared_ptr<ShownMap> map, const QStringList& problems)
+{
+    std::vector<std::shared_ptr<const Plane>> planes;
+    for (const ShownPlane& plane : map->planes)
+        planes.push_back(plane.plane);
+    outlines_.want(std::move(planes), map->snapshot);
+    fill(*map);
+    last_ = std::move(map);
+    problems_ = problems;
+    emit shown(last_, problems_);
+}
+
+void MapWorker::fill(ShownMap& map) const
+{
+    for (ShownPlane& plane : map.planes)
+        plane.outline = outlines_.outlineOf(*plane.plane);
+}
+
+void MapWorker::tellMore()
+{
+    if (!last_)
+        return;
+    auto map = std::make_shared<ShownMap>(*last_);
+    fill(*map);
+    last_ = std::move(map);
+    emit shown(last_, problems_);
 }
 
 }  // namespace planewright

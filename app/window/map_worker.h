@@ -4,17 +4,18 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <unordered_map>
 #include <vector>
 
 #include <QObject>
 #include <QStringList>
 
 #include "app/session/session_map.h"
+#include "app/window/outline_maker.h"
 #include "core/params/parameters.h"
 #include "core/types/edit.h"
 #include "core/types/recording.h"
@@ -30,8 +31,8 @@ struct MapRequest {
     Parameters parameters;
 };
 
-/// Makes what the window shows out of a session's map, on a thread of its own: the operator's edits and the planes'
-/// outlines, which may take a tenth of a second each.
+/// Makes what the window shows out of a session's map: the operator's edits, on a thread of its own, and the planes'
+/// outlines, on another.
 ///
 /// The newest request wins. A map is shown at once with the outlines that are there, and again when more of them are.
 class MapWorker : public QObject {
@@ -51,24 +52,24 @@ signals:
     void shown(const std::shared_ptr<const planewright::ShownMap>& map, const QStringList& problems);
 
 private:
-    struct Known {
-        std::shared_ptr<const Plane> plane;  ///< keeps the address from being used again
-        std::shared_ptr<const FilledOutline> outline;
-    };
-
     void run(const std::stop_token& stop);
-    void work(const MapRequest& request);
-    bool fillOutlines(ShownMap& map, const Snapshot& snapshot);
-    bool isSuperseded() const;
-    void publish(std::shared_ptr<const ShownMap> map, QStringList problems);
+    /// Does something in this object's thread.
+    void post(std::function<void()> what);
+    void take(std::shared_ptr<ShownMap> map, const QStringList& problems);
+    /// Gives planes the outlines that there are.
+    void fill(ShownMap& map) const;
+    void tellMore();
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
     std::optional<MapRequest> next_;
     bool busy_ = false;
-    std::unordered_map<const Plane*, Known> known_;                               ///< of the thread
-    std::unordered_map<PlaneId, std::shared_ptr<const FilledOutline>> lastOfId_;  ///< of the thread
-    std::jthread thread_;                                                         // last: it uses all the others
+    int posted_ = 0;
+
+    std::shared_ptr<const ShownMap> last_;  ///< that was shown
+    QStringList problems_;
+    OutlineMaker outlines_;
+    std::jthread thread_;  // last: it uses all the others
 };
 
 }  // namespace planewright

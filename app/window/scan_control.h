@@ -22,6 +22,8 @@ public:
 
     /// Scans a room that is set up.
     void simulate(const SimulationSetup& setup);
+    /// Scans the room of an address with this scanner.
+    void openRoom(const SimulatedScanner& simulation, const QString& address) { openWith(simulation, address, true); }
 
 private:
     void openWith(const SimulatedScanner& simulation, const QString& fileOrAddress, bool starts);

@@ -83,7 +83,6 @@ void View3d::request(Detail detail)
     glass_->update();
 }
 
-/// While slices arrive the view moves; full detail comes when it rests.
 void View3d::setPointBudget(std::size_t points)
 {
     if (presenter_)
@@ -96,6 +95,7 @@ void View3d::setSmoothEdges(bool smooth)
         presenter_->setSmoothEdges(smooth);
 }
 
+/// While slices arrive the view moves; full detail comes when it rests.
 void View3d::setMap(std::shared_ptr<const ShownMap> map)
 {
     const bool wasEmpty = scene_.bounds().isEmpty();
