@@ -48,19 +48,6 @@ Eigen::Matrix<double, 3, 2> tangentsOf(const PlaneEstimate& estimate)
 
 }  // namespace
 
-SegmentId idOf(SegmentNumber number, const TrackMap& map)
-{
-    const TrackedSlice& slice = map.slice(map.segment(number).slice);
-    return {slice.step, number - slice.first};
-}
-
-Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map)
-{
-    const TrackedSegment& s = map.segment(number);
-    return Eigen::Vector3d{s.statistics.directionU, 0.0, 0.0} +
-           s.statistics.directionV * map.slice(s.slice).frame.ahead;
-}
-
 double meanErrorOf(const PlaneTrack& plane)
 {
     return std::max(0.0, plane.estimate.chi()) / freedomOf(plane);
@@ -78,7 +65,7 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
     segments.reserve(static_cast<std::size_t>(slice.end - slice.first));
     for (SegmentNumber number = slice.first; number < slice.end; ++number) {
         const SegmentStatistics& s = map.segment(number).statistics;
-        LineSegment segment;
+        LineSegment& segment = segments.emplace_back();
         segment.id = {slice.step, number - slice.first};
         segment.firstBeam = s.firstBeam;
         segment.lastBeam = s.lastBeam;
@@ -103,7 +90,6 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
         const Eigen::Vector3d across = Eigen::Vector3d{-s.directionV, 0.0, 0.0} + s.directionU * slice.frame.ahead;
         segment.moments.scatter = s.points * s.spread * segment.direction * segment.direction.transpose() +
                                   s.points * s.thickness * across * across.transpose();
-        segments.push_back(std::move(segment));
     }
     return segments;
 }

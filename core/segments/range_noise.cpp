@@ -56,13 +56,14 @@ void RangeNoise::add(const ScanSlice& slice, const SensorModel& sensor, const No
     const double nearest = std::max(1e-3, sensor.rangeMin);
     const double cosine = 2.0 * std::cos(slice.bearingStep);
     const double perBeam = square(0.5 * told.bearing / slice.bearingStep);
-    const auto echo = [&](double range) { return range >= nearest && range <= sensor.rangeMax; };
+    const auto echo = [&](double range) { return (range >= nearest) & (range <= sensor.rangeMax); };
     for (std::size_t i = 1 + slices_++ * 7 % stride; i + 1 < beams; i += stride) {
         const double before = slice.ranges[i - 1];
         const double range = slice.ranges[i];
         const double after = slice.ranges[i + 1];
-        if (!echo(before) || !echo(range) || !echo(after) ||
-            square(after - before) * perBeam > kBearingShare * told.rangeVariance(range))
+        // One question, not four: which of them fails is anyone's guess.
+        if (!(echo(before) & echo(range) & echo(after) &
+              (square(after - before) * perBeam <= kBearingShare * told.rangeVariance(range))))
             continue;
         const double residual = range * (range * (before + after) / (before * after) - cosine) / std::sqrt(6.0);
         Octave& octave = octaves_[eighthsAbove(static_cast<float>(range), kLowestRange, 8 * kRanges) / 8];
@@ -76,21 +77,20 @@ void RangeNoise::add(const ScanSlice& slice, const SensorModel& sensor, const No
 /// Standard deviation [m] by the median of the sizes that are no edges.
 double RangeNoise::sigmaOf(const Octave& octave)
 {
+    std::array<std::uint32_t, kSizes + 1> below{};  // samples of smaller size
+    for (std::size_t i = 0; i < kSizes; ++i)
+        below[i + 1] = below[i] + octave.counts[i];
     double sigma = 0.0;
-    std::int64_t counted = octave.samples;
+    std::uint32_t counted = below[kSizes];
+    std::size_t i = kSizes - 1;
     for (int round = 0; round < kEdgeRounds; ++round) {
-        if (round > 0) {
-            const std::size_t end = eighthsAbove(static_cast<float>(kEdgeSigmas * sigma), kLowestSize, kSizes) + 1;
-            counted = 0;
-            for (std::size_t i = 0; i < end; ++i)
-                counted += octave.counts[i];
-        }
-        const double half = 0.5 * static_cast<double>(counted);
-        double below = 0.0;
-        std::size_t i = 0;
-        while (below + octave.counts[i] < half)
-            below += octave.counts[i++];
-        const double share = octave.counts[i] > 0 ? (half - below) / octave.counts[i] : 0.0;
+        if (round > 0)
+            counted = below[eighthsAbove(static_cast<float>(kEdgeSigmas * sigma), kLowestSize, kSizes) + 1];
+        // The first size up to which half of them are: it does not grow from round to round.
+        const double half = 0.5 * counted;
+        while (i > 0 && below[i] >= half)
+            --i;
+        const double share = octave.counts[i] > 0 ? (half - below[i]) / octave.counts[i] : 0.0;
         sigma = (eighth(i) + share * (eighth(i + 1) - eighth(i))) / kMedianSize;
     }
     return sigma;
