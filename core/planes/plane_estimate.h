@@ -22,7 +22,15 @@ struct SliceFrame {
     Eigen::Vector3d aheadTurned = Eigen::Vector3d::UnitZ();  ///< ∂ahead/∂φ
     Eigen::Vector3d originTurned = Eigen::Vector3d::Zero();  ///< ∂origin/∂φ [m]
 
-    Eigen::Vector3d pointAt(double u, double v) const { return origin + Eigen::Vector3d{u, 0.0, 0.0} + v * ahead; }
+    Eigen::Vector3d pointAt(double u, double v) const
+    {
+        return {origin.x() + u + v * ahead.x(), origin.y() + v * ahead.y(), origin.z() + v * ahead.z()};
+    }
+    /// A direction (u, v) of it in space; no zero is negative.
+    Eigen::Vector3d directionAt(double u, double v) const
+    {
+        return {u + v * ahead.x(), 0.0 + v * ahead.y(), 0.0 + v * ahead.z()};
+    }
 };
 
 /// The frame of a slice at this tilt [rad].

@@ -80,16 +80,23 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
         };
         end(s.start, segment.start, segment.startCovariance);
         end(s.end, segment.end, segment.endCovariance);
-        segment.direction = -directionOf(number, map);
+        const Eigen::Vector3d along = slice.frame.directionAt(s.directionU, s.directionV);
+        segment.direction = -along;
         segment.viewpoint = slice.frame.origin;
         segment.directionSigma = s.slopeInformation > 0.0 ? 1.0 / std::sqrt(s.slopeInformation) : std::numbers::pi;
         segment.placeSigma = s.offsetInformation > 0.0 ? 1.0 / std::sqrt(s.offsetInformation) : 0.0;
         segment.rms = std::sqrt(s.thickness);
         segment.moments.count = s.points;
         segment.moments.mean = slice.frame.pointAt(s.u, s.v);
-        const Eigen::Vector3d across = Eigen::Vector3d{-s.directionV, 0.0, 0.0} + s.directionU * slice.frame.ahead;
-        segment.moments.scatter = s.points * s.spread * segment.direction * segment.direction.transpose() +
-                                  s.points * s.thickness * across * across.transpose();
+        // Number by number: products of such short vectors wait for what was stored just before.
+        const double ofLength = s.points * s.spread;
+        const double ofThickness = s.points * s.thickness;
+        const Eigen::Vector3d across = slice.frame.directionAt(-s.directionV, s.directionU);
+        for (Eigen::Index row = 0; row < 3; ++row) {
+            for (Eigen::Index column = 0; column < 3; ++column)
+                segment.moments.scatter(row, column) =
+                    ofLength * along[row] * along[column] + ofThickness * across[row] * across[column];
+        }
     }
     return segments;
 }

@@ -20,8 +20,7 @@ inline SegmentId idOf(SegmentNumber number, const TrackMap& map)
 inline Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map)
 {
     const TrackedSegment& s = map.segment(number);
-    return Eigen::Vector3d{s.statistics.directionU, 0.0, 0.0} +
-           s.statistics.directionV * map.slice(s.slice).frame.ahead;
+    return map.slice(s.slice).frame.directionAt(s.statistics.directionU, s.statistics.directionV);
 }
 
 /// Mean squared Mahalanobis distance of a plane's segments: 1 is expected.
