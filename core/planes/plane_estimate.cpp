@@ -16,9 +16,6 @@ namespace planewright {
 
 namespace {
 
-/// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact, and
-/// at that angle none can be told to belong.
-constexpr double kLeastSteepness = 2.7e-3;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Derivatives of a segment's distance to the plane by the unknowns, at its centroid and along it.
@@ -41,11 +38,6 @@ inline Row rowOf(const PlaneInSlice& seen, const SegmentStatistics& s)
             seen.distance.along(s.directionU, s.directionV),
             seen.pitch.at(s.u, s.v),
             seen.pitch.along(s.directionU, s.directionV)};
-}
-
-SliceFunction functionOf(const Eigen::Vector3d& direction, const SliceFrame& frame)
-{
-    return {direction.x(), direction.dot(frame.ahead), direction.dot(frame.origin)};
 }
 
 /// Extent across the ray, in standard deviations of a range, below which it is noise that directs a segment's line.
@@ -122,18 +114,6 @@ PlaneEstimate PlaneEstimate::afresh() const
     estimate.covariance_ = covariance_;
     estimate.normalVariance_ = normalVariance_;
     return estimate;
-}
-
-PlaneInSlice PlaneEstimate::inSlice(const SliceFrame& frame) const
-{
-    PlaneInSlice seen;
-    seen.distance = functionOf(start_, frame);
-    seen.distance.constant -= startDistance_;
-    seen.first = functionOf(tangents_.col(0), frame);
-    seen.second = functionOf(tangents_.col(1), frame);
-    seen.pitch = {0.0, start_.dot(frame.aheadTurned), start_.dot(frame.originTurned)};
-    seen.steepness = std::max(kLeastSteepness, seen.distance.u * seen.distance.u + seen.distance.v * seen.distance.v);
-    return seen;
 }
 
 void PlaneEstimate::accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,

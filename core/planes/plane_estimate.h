@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -43,6 +44,16 @@ struct SliceFunction {
     double at(double pointU, double pointV) const { return u * pointU + v * pointV + constant; }
     double along(double directionU, double directionV) const { return u * directionU + v * directionV; }
 };
+
+/// The component of a slice's points along a direction.
+inline SliceFunction functionOf(const Eigen::Vector3d& direction, const SliceFrame& frame)
+{
+    return {direction.x(), direction.dot(frame.ahead), direction.dot(frame.origin)};
+}
+
+/// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact, and
+/// at that angle none can be told to belong.
+inline constexpr double kLeastSteepness = 2.7e-3;
 
 /// What a plane and the directions it can move in look like in a slice.
 struct PlaneInSlice {
@@ -85,7 +96,18 @@ public:
     /// The same plane with the same covariance, linearised where it is, without the segments that told.
     PlaneEstimate afresh() const;
 
-    PlaneInSlice inSlice(const SliceFrame& frame) const;
+    PlaneInSlice inSlice(const SliceFrame& frame) const
+    {
+        PlaneInSlice seen;
+        seen.distance = functionOf(start_, frame);
+        seen.distance.constant -= startDistance_;
+        seen.first = functionOf(tangents_.col(0), frame);
+        seen.second = functionOf(tangents_.col(1), frame);
+        seen.pitch = {0.0, start_.dot(frame.aheadTurned), start_.dot(frame.originTurned)};
+        seen.steepness =
+            std::max(kLeastSteepness, seen.distance.u * seen.distance.u + seen.distance.v * seen.distance.v);
+        return seen;
+    }
 
     /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together. A floor [m] is what a segment
     /// may be off as a whole, beside its noise: it keeps few segments from telling more than a real sensor can.

@@ -71,15 +71,6 @@ double TrackMap::meanTiltStep() const
     return slices_.size() < 2 ? 0.0 : tiltTravelled_ / static_cast<double>(slices_.size() - 1);
 }
 
-const PlaneInSlice& TrackMap::seenIn(PlaneTrack& plane, int place)
-{
-    if (plane.seenIn != place) {
-        plane.seen = plane.estimate.inSlice(slice(place).frame);
-        plane.seenIn = place;
-    }
-    return plane.seen;
-}
-
 double TrackMap::incidence(SegmentNumber number, const PlaneEstimate& estimate) const
 {
     const TrackedSegment& s = segment(number);

@@ -107,7 +107,14 @@ public:
     }
 
     /// The plane as it is seen in a slice.
-    const PlaneInSlice& seenIn(PlaneTrack& plane, int place);
+    const PlaneInSlice& seenIn(PlaneTrack& plane, int place)
+    {
+        if (plane.seenIn != place) {
+            plane.seen = plane.estimate.inSlice(slice(place).frame);
+            plane.seenIn = place;
+        }
+        return plane.seen;
+    }
 
     /// χ² of a segment against a plane; infinite where it is sure to reach the limit.
     double joinChi(PlaneTrack& plane, SegmentNumber number, const NoiseParameters& noise, double floor,
