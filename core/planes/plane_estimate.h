@@ -45,12 +45,6 @@ struct SliceFunction {
     double along(double directionU, double directionV) const { return u * directionU + v * directionV; }
 };
 
-/// The component of a slice's points along a direction.
-inline SliceFunction functionOf(const Eigen::Vector3d& direction, const SliceFrame& frame)
-{
-    return {direction.x(), direction.dot(frame.ahead), direction.dot(frame.origin)};
-}
-
 /// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact, and
 /// at that angle none can be told to belong.
 inline constexpr double kLeastSteepness = 2.7e-3;
@@ -99,14 +93,27 @@ public:
     PlaneInSlice inSlice(const SliceFrame& frame) const
     {
         PlaneInSlice seen;
-        seen.distance = functionOf(start_, frame);
-        seen.distance.constant -= startDistance_;
-        seen.first = functionOf(tangents_.col(0), frame);
-        seen.second = functionOf(tangents_.col(1), frame);
-        seen.pitch = {0.0, start_.dot(frame.aheadTurned), start_.dot(frame.originTurned)};
-        seen.steepness =
-            std::max(kLeastSteepness, seen.distance.u * seen.distance.u + seen.distance.v * seen.distance.v);
+        look(frame, seen);
         return seen;
+    }
+    /// The same, written where it is to stay.
+    void look(const SliceFrame& frame, PlaneInSlice& seen) const
+    {
+        const double u = start_.x();
+        const double v = start_.dot(frame.ahead);
+        seen.distance.u = u;
+        seen.distance.v = v;
+        seen.distance.constant = start_.dot(frame.origin) - startDistance_;
+        seen.first.u = tangents_(0, 0);
+        seen.first.v = tangents_.col(0).dot(frame.ahead);
+        seen.first.constant = tangents_.col(0).dot(frame.origin);
+        seen.second.u = tangents_(0, 1);
+        seen.second.v = tangents_.col(1).dot(frame.ahead);
+        seen.second.constant = tangents_.col(1).dot(frame.origin);
+        seen.pitch.u = 0.0;
+        seen.pitch.v = start_.dot(frame.aheadTurned);
+        seen.pitch.constant = start_.dot(frame.originTurned);
+        seen.steepness = std::max(kLeastSteepness, u * u + v * v);
     }
 
     /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together. A floor [m] is what a segment

@@ -110,7 +110,7 @@ public:
     const PlaneInSlice& seenIn(PlaneTrack& plane, int place)
     {
         if (plane.seenIn != place) {
-            plane.seen = plane.estimate.inSlice(slice(place).frame);
+            plane.estimate.look(slice(place).frame, plane.seen);
             plane.seenIn = place;
         }
         return plane.seen;
