@@ -93,6 +93,7 @@ void TrackMap::touch(PlaneTrack& plane, int step)
     plane.changedStep = step;
     ++plane.revision;
     plane.published = nullptr;
+    stamp(plane);
 }
 
 bool TrackMap::rebuild(PlaneTrack& plane, const Parameters& parameters)

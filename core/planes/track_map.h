@@ -37,6 +37,7 @@ struct TrackedSegment {
     int slice = 0;             ///< place of its slice
     PlaneId owner = kNoPlane;  ///< the plane that it belongs to
     int contested = -1;        ///< the plane of `contestedPlanes` that it was on last; −1 for none
+    std::int64_t left = -1;    ///< moment at which no plane was found for it; −1 for none
 };
 
 /// A plane that follows its segments from slice to slice.
@@ -57,7 +58,11 @@ struct PlaneTrack {
     int changedStep = 0;
     std::uint64_t revision = 0;
     Lineage lineage;
-    PlaneInSlice seen;  ///< the plane in the slice seenIn
+    std::int64_t changedAt = 0;   ///< moment at which its estimate or its members changed last
+    std::int64_t foundedAt = -1;  ///< moment at which it was found large, wide and flat enough; −1 for none
+    std::int64_t reducedAt = -1;  ///< moment at which reducedChi was worked out; −1 for none
+    double reducedChi = 0.0;      ///< mean of its segments' squared residuals
+    PlaneInSlice seen;            ///< the plane in the slice seenIn
     int seenIn = -1;
     std::shared_ptr<const Plane> published;
 };
@@ -159,6 +164,17 @@ public:
     void dissolve(PlaneId id);
 
     void touch(PlaneTrack& plane, int step);
+    /// Tells that a plane's estimate or its members changed.
+    void stamp(PlaneTrack& plane) { plane.changedAt = ++moment_; }
+
+    /// Moments count changes of planes: what was found out about a plane holds until it changes, or the parameters do.
+    std::int64_t moment() const { return moment_; }
+    bool holds(const PlaneTrack& plane, std::int64_t found) const
+    {
+        return found >= parametersSince_ && plane.changedAt <= found;
+    }
+    /// Tells that what follows is judged by other parameters than before.
+    void parametersChanged() { parametersSince_ = ++moment_; }
 
     DirectionClusters clusters;
     std::vector<PlaneEstimate> contestedPlanes;  ///< those that were taken apart because runs lean out of them
@@ -181,6 +197,8 @@ private:
     std::vector<PlaneTrack> planes_;      // in order of id
     std::vector<std::size_t> lastPlace_;  // where the plane of an id was among them when it was asked for last
     PlaneId nextPlane_ = 0;
+    std::int64_t moment_ = 0;
+    std::int64_t parametersSince_ = 0;
     double bearingStep_ = 0.0;
     double firstBearing_ = 0.0;
     double tiltTravelled_ = 0.0;
@@ -212,6 +230,7 @@ bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double f
     plane.linearisedAt = plane.points;
     plane.slicesUnsolved = 0;
     plane.seenIn = -1;
+    stamp(plane);
     return true;
 }
 
