@@ -41,10 +41,13 @@ void TrackMap::append(const ScanSlice& slice, const SensorModel& sensor, std::sp
         beamShift = static_cast<int>(std::lround((slice.firstBearing - firstBearing_) / bearingStep_));
     }
     for (const SegmentStatistics& statistics : segments) {
-        segments_.push_back({statistics, slices(), kNoPlane});
+        TrackedSegment& added = segments_.emplace_back();
+        added.statistics = statistics;
+        added.slice = slices();
         beams_.push_back({statistics.firstBeam + beamShift, statistics.lastBeam + beamShift});
     }
     slices_.push_back(tracked);
+    slices_.back().lookback = neighbours(slices() - 1, -1);
 }
 
 PlaneTrack& TrackMap::findPlane(PlaneId id)

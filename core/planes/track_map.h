@@ -23,6 +23,7 @@ struct TrackedSlice {
     SliceFrame frame;
     SegmentNumber first = 0;  ///< its segments are [first, end)
     SegmentNumber end = 0;
+    int lookback = 0;  ///< how many slices before it count as next to it
 };
 
 /// First and last beam of a segment among those of the scan's first slice: interlaced scanners start elsewhere.
@@ -88,7 +89,7 @@ public:
     }
 
     /// How many slices back, and how many ahead, count as next to a slice: two, or those within a degree and a half.
-    int lookback(int place) const { return neighbours(place, -1); }
+    int lookback(int place) const { return slice(place).lookback; }
     int lookahead(int place) const { return neighbours(place, 1); }
     /// Mean angle between neighbouring slices so far [rad].
     double meanTiltStep() const;
