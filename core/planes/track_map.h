@@ -212,9 +212,10 @@ bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double f
     PlaneEstimate estimate(plane.estimate.normal(), plane.estimate.distance());
     const PlaneEstimate before = plane.estimate.afresh();
     int fitted = 0;
+    PlaneInSlice seen;
     for (std::size_t i = 0; i < plane.members.size();) {
         const int place = segment(plane.members[i]).slice;
-        const PlaneInSlice seen = estimate.inSlice(slice(place).frame);
+        estimate.look(slice(place).frame, seen);
         group_.clear();
         for (; i < plane.members.size() && segment(plane.members[i]).slice == place; ++i) {
             const SegmentStatistics& statistics = segment(plane.members[i]).statistics;
