@@ -41,7 +41,7 @@ void TrackMap::append(const ScanSlice& slice, const SensorModel& sensor, std::sp
         beamShift = static_cast<int>(std::lround((slice.firstBearing - firstBearing_) / bearingStep_));
     }
     for (const SegmentStatistics& statistics : segments) {
-        segments_.emplace_back(statistics, slices());
+        segments_.push_back({statistics, slices()});
         beams_.push_back({statistics.firstBeam + beamShift, statistics.lastBeam + beamShift});
     }
     slices_.push_back(tracked);

@@ -11,7 +11,6 @@
 
 // One body each, inlined into a function per kind of processor, so that the compiler vectorises it for that kind.
 #define PLANEWRIGHT_BODY [[gnu::always_inline]] inline
-#define PLANEWRIGHT_INLINED __attribute__((always_inline))  // where a lambda takes no attribute in brackets
 
 namespace planewright {
 
@@ -104,11 +103,11 @@ PLANEWRIGHT_BODY int farthestExactlyBody(const BeamArraysOf<Number>& points, int
     return -1;
 }
 
-/// Numbers of a register's worth of points from an address on.
+/// Numbers of a register's worth of points from one on.
 template <int Width>
-PLANEWRIGHT_BODY void load(const float* from, typename LanesOf<Width>::Floats& floats)
+PLANEWRIGHT_BODY void load(const float* numbers, int first, typename LanesOf<Width>::Floats& floats)
 {
-    floats = *reinterpret_cast<const typename Register<Width>::Anywhere*>(from);
+    floats = *reinterpret_cast<const typename Register<Width>::Anywhere*>(numbers + first);
 }
 
 /// The same in sixteen lanes at once; those past the end are looked at but do not count.
@@ -127,9 +126,9 @@ PLANEWRIGHT_BODY int farthestBody(const BeamArrays& points, int first, int last,
     const auto look = [&](int i, bool all) PLANEWRIGHT_INLINED {
         for (int p = 0; p < Lanes::kParts; ++p) {
             Floats u, v, relative, counted;
-            load<Width>(points.u + i + p * Width, u);
-            load<Width>(points.v + i + p * Width, v);
-            load<Width>(points.relativeVariance + i + p * Width, relative);
+            load<Width>(points.u, i + p * Width, u);
+            load<Width>(points.v, i + p * Width, v);
+            load<Width>(points.relativeVariance, i + p * Width, relative);
             if (!all) {  // the chord's own point does not deviate
                 const Integers counts = Register<Width>::kNumbers <= last - i - p * Width;
                 u = counts ? u : Floats{} + chord.u;
@@ -195,8 +194,8 @@ PLANEWRIGHT_BODY ChordSums sumsBody(const BeamArrays& points, int first, int las
     const auto add = [&](int i, bool all) PLANEWRIGHT_INLINED {
         for (int p = 0; p < Lanes::kParts; ++p) {
             Floats u, v, w;
-            load<Width>(points.u + i + p * Width, u);
-            load<Width>(points.v + i + p * Width, v);
+            load<Width>(points.u, i + p * Width, u);
+            load<Width>(points.v, i + p * Width, v);
             const Floats du = u - chord.u;
             const Floats dv = v - chord.v;
             Floats t = chord.directionU * du + chord.directionV * dv;

@@ -3,6 +3,9 @@
 
 #pragma once
 
+/// Inlines a lambda, which takes no attribute in brackets where it has parameters.
+#define PLANEWRIGHT_INLINED __attribute__((always_inline))
+
 namespace planewright {
 
 /// Lanes in which loops over scan points run, whatever the processor: sums then have the same bits on all.
@@ -46,35 +49,49 @@ struct LanesOf {
     /// Σ over the lanes: halves are added until one is left.
     [[gnu::always_inline]] inline float sum() const
     {
-        Register<4>::Floats four;
-        if constexpr (Width == 4) {
-            four = (part[0] + part[2]) + (part[1] + part[3]);
-        } else {
-            Register<8>::Floats eight;
-            if constexpr (Width == 8)
-                eight = part[0] + part[1];
-            else
-                eight = __builtin_shufflevector(part[0], part[0], 0, 1, 2, 3, 4, 5, 6, 7) +
-                        __builtin_shufflevector(part[0], part[0], 8, 9, 10, 11, 12, 13, 14, 15);
-            four =
-                __builtin_shufflevector(eight, eight, 0, 1, 2, 3) + __builtin_shufflevector(eight, eight, 4, 5, 6, 7);
-        }
-        const Register<4>::Floats two = four + __builtin_shufflevector(four, four, 2, 3, 2, 3);
-        return two[0] + two[1];
+        return folded([](const auto& a, const auto& b, auto& both) PLANEWRIGHT_INLINED { both = a + b; });
     }
 
     /// The largest lane.
     [[gnu::always_inline]] inline float largest() const
     {
-        Floats most = part[0];
-        for (int p = 1; p < kParts; ++p)
-            most = part[p] > most ? part[p] : most;
-        for (int half = Width / 2; half > 0; half /= 2) {
-            const Integers other = Register<Width>::kNumbers ^ half;
-            const Floats turned = __builtin_shuffle(most, other);
-            most = turned > most ? turned : most;
+        return folded([](const auto& a, const auto& b, auto& both) PLANEWRIGHT_INLINED { both = b > a ? b : a; });
+    }
+
+private:
+    /// Puts the halves together until one lane is left.
+    template <class Together>
+    [[gnu::always_inline]] inline float folded(Together together) const
+    {
+        Register<4>::Floats four;
+        if constexpr (Width == 4) {
+            Register<4>::Floats first;
+            Register<4>::Floats second;
+            together(part[0], part[2], first);
+            together(part[1], part[3], second);
+            together(first, second, four);
+        } else {
+            Register<8>::Floats eight;
+            if constexpr (Width == 8) {
+                together(part[0], part[1], eight);
+            } else {
+                const Register<8>::Floats low = __builtin_shufflevector(part[0], part[0], 0, 1, 2, 3, 4, 5, 6, 7);
+                const Register<8>::Floats high =
+                    __builtin_shufflevector(part[0], part[0], 8, 9, 10, 11, 12, 13, 14, 15);
+                together(low, high, eight);
+            }
+            const Register<4>::Floats low = __builtin_shufflevector(eight, eight, 0, 1, 2, 3);
+            const Register<4>::Floats high = __builtin_shufflevector(eight, eight, 4, 5, 6, 7);
+            together(low, high, four);
         }
-        return most[0];
+        const Register<4>::Floats upper = __builtin_shufflevector(four, four, 2, 3, 2, 3);
+        Register<4>::Floats two;
+        together(four, upper, two);
+        const float lower = two[0];
+        const float higher = two[1];
+        float one;
+        together(lower, higher, one);
+        return one;
     }
 };
 
