@@ -3,7 +3,9 @@
 
 #include "core/geometry/sensor_model.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace planewright {
 
@@ -19,15 +21,23 @@ BeamDirection directionOf(double bearing, double tilt)
     return {std::sin(bearing), std::cos(bearing), std::sin(tilt), std::cos(tilt)};
 }
 
-Eigen::Matrix3d jacobianAt(double range, const BeamDirection& beam, const SensorModel& sensor)
+/// The columns of J.
+struct Jacobian {
+    std::array<double, 3> byRange;
+    std::array<double, 3> byBearing;
+    std::array<double, 3> byTilt;
+};
+
+Jacobian jacobianAt(double range, const BeamDirection& beam, const SensorModel& sensor)
 {
-    const auto [st, ct, sp, cp] = beam;
+    const double st = beam.sinBearing;
+    const double ct = beam.cosBearing;
+    const double sp = beam.sinTilt;
+    const double cp = beam.cosTilt;
     const double dl = sensor.pitchAxisOffset;
-    Eigen::Matrix3d j;
-    j << ct, -range * st, 0.0,                                //
-        st * sp, range * ct * sp, range * st * cp - dl * sp,  //
-        -st * cp, -range * ct * cp, range * st * sp + dl * cp;
-    return j;
+    return {{ct, st * sp, -st * cp},
+            {-range * st, range * ct * sp, -range * ct * cp},
+            {0.0, range * st * cp - dl * sp, range * st * sp + dl * cp}};
 }
 
 }  // namespace
@@ -47,16 +57,33 @@ Eigen::Vector3d toCartesian(double range, double bearing, double tilt, const Sen
 
 Eigen::Matrix3d cartesianJacobian(double range, double bearing, double tilt, const SensorModel& sensor)
 {
-    return jacobianAt(range, directionOf(bearing, tilt), sensor);
+    const Jacobian j = jacobianAt(range, directionOf(bearing, tilt), sensor);
+    Eigen::Matrix3d jacobian;
+    jacobian << Eigen::Map<const Eigen::Vector3d>(j.byRange.data()),
+        Eigen::Map<const Eigen::Vector3d>(j.byBearing.data()), Eigen::Map<const Eigen::Vector3d>(j.byTilt.data());
+    return jacobian;
 }
 
 Eigen::Matrix3d cartesianCovariance(double range, const BeamDirection& beam, const SensorModel& sensor,
                                     const NoiseParameters& noise)
 {
-    const Eigen::Matrix3d j = jacobianAt(range, beam, sensor);
-    const Eigen::Vector3d variances{noise.rangeVariance(range), noise.bearing * noise.bearing,
-                                    noise.pitch * noise.pitch};
-    return j * variances.asDiagonal() * j.transpose();
+    // J diag(variances) Jᵀ number by number: products of matrices this small wait for what was stored just before. The
+    // last row adds up in the order in which such a product does.
+    const Jacobian j = jacobianAt(range, beam, sensor);
+    const double ofRange = noise.rangeVariance(range);
+    const double ofBearing = noise.bearing * noise.bearing;
+    const double ofTilt = noise.pitch * noise.pitch;
+    Eigen::Matrix3d covariance;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+            const double first = j.byRange[row] * ofRange * j.byRange[column];
+            const double second = j.byBearing[row] * ofBearing * j.byBearing[column];
+            const double third = j.byTilt[row] * ofTilt * j.byTilt[column];
+            covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+                row < 2 ? first + second + third : first + (second + third);
+        }
+    }
+    return covariance;
 }
 
 Eigen::Matrix3d cartesianCovariance(double range, double bearing, double tilt, const SensorModel& sensor,

@@ -40,6 +40,7 @@ int LikelihoodMethod::extractLineSegments(const ScanSlice& slice, const SensorMo
 void LikelihoodMethod::adapt(const Parameters& parameters)
 {
     inUse_ = parameters;
+    map_.parametersChanged();
     if (!parameters.noise.estimated)
         return;
     if (static_cast<double>(rangeNoise_.samples()) >= kSampleGrowth * static_cast<double>(estimatedAt_)) {
@@ -59,6 +60,7 @@ void LikelihoodMethod::adaptLastFit(const Parameters& parameters)
     PitchNoise ofPlanes;
     ofPlanes.add(map_, map_.slices(), inUse_.noise, inUse_.noise.systematic);
     inUse_.noise.pitch = ofPlanes.estimate(parameters.noise.pitch);
+    map_.parametersChanged();
 }
 
 void LikelihoodMethod::assignToPlanes(const Parameters&, StepRecorder& recorder)

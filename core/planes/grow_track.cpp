@@ -55,6 +55,7 @@ bool growTrack(PlaneTrack& plane, TrackMap& map, const Parameters& parameters, S
     for (int place = last + 1; place < map.slices() && empty < kEmptySlices; ++place)
         empty = growInto(plane, place, -1, map, parameters, step) ? 0 : empty + 1;
     plane.estimate.solve();
+    map.stamp(plane);
     map.rebuild(plane, parameters);
     return !dropGrazing(plane, map, parameters, recorder);
 }

@@ -24,7 +24,7 @@ struct Candidate {
 void consider(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const Parameters& parameters, double floor,
               double gate, Candidate& best)
 {
-    if (best.plane == &plane)
+    if (best.plane == &plane || map.holds(plane, map.segment(number).left))
         return;
     const double limit = best.plane == nullptr ? gate : std::min(gate, best.chi);
     const double chi = map.joinChi(plane, number, parameters.noise, floor, limit);
@@ -69,8 +69,8 @@ void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parame
     const Eigen::Vector3d centroid = map.centroid(number);
     const double variance = mostVariance(map.segment(number).statistics, centroid, parameters.noise, floor);
     for (PlaneTrack& plane : map.planes()) {
-        if (plane.estimate.normalVariance() < known && plane.estimate.mayMeet(centroid, variance, gate) &&
-            isInSight(plane, place, map))
+        if (!map.holds(plane, map.segment(number).left) && plane.estimate.normalVariance() < known &&
+            plane.estimate.mayMeet(centroid, variance, gate) && isInSight(plane, place, map))
             consider(plane, number, map, parameters, floor, gate, best);
     }
 }
@@ -134,8 +134,10 @@ void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, 
                 considerNeighbours(number, place + 1, place + map.lookahead(place), map, parameters, best);
             if (best.plane == nullptr)
                 considerKnown(number, map, parameters, best);
-            if (best.plane == nullptr)
+            if (best.plane == nullptr) {
+                map.segment(number).left = map.moment();
                 continue;
+            }
             explain(number, best, map, recorder);
             map.join(*best.plane, std::span{&number, 1}, step, parameters);
         }

@@ -16,9 +16,6 @@ namespace planewright {
 
 namespace {
 
-/// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact, and
-/// at that angle none can be told to belong.
-constexpr double kLeastSteepness = 2.7e-3;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Derivatives of a segment's distance to the plane by the unknowns, at its centroid and along it.
@@ -41,11 +38,6 @@ inline Row rowOf(const PlaneInSlice& seen, const SegmentStatistics& s)
             seen.distance.along(s.directionU, s.directionV),
             seen.pitch.at(s.u, s.v),
             seen.pitch.along(s.directionU, s.directionV)};
-}
-
-SliceFunction functionOf(const Eigen::Vector3d& direction, const SliceFrame& frame)
-{
-    return {direction.x(), direction.dot(frame.ahead), direction.dot(frame.origin)};
 }
 
 /// Extent across the ray, in standard deviations of a range, below which it is noise that directs a segment's line.
@@ -91,6 +83,66 @@ inline Variances withFloor(Variances variances, const SegmentStatistics& segment
     return {variances.place + squaredFloor, variances.slope + 16.0 * squaredFloor / (length * length)};
 }
 
+/// Sums over the segments of a slice: information by (first, second, d), gradient, coupling with the pitch.
+struct SliceSums {
+    double i00 = 0.0, i01 = 0.0, i02 = 0.0, i11 = 0.0, i12 = 0.0, i22 = 0.0;
+    double g0 = 0.0, g1 = 0.0, g2 = 0.0;
+    double c0 = 0.0, c1 = 0.0, c2 = 0.0;
+    double chi = 0.0, pitchInformation = 0.0, pitchGradient = 0.0;
+
+    void operator+=(const SliceSums& other)
+    {
+        i00 += other.i00;
+        i01 += other.i01;
+        i02 += other.i02;
+        i11 += other.i11;
+        i12 += other.i12;
+        i22 += other.i22;
+        g0 += other.g0;
+        g1 += other.g1;
+        g2 += other.g2;
+        c0 += other.c0;
+        c1 += other.c1;
+        c2 += other.c2;
+        chi += other.chi;
+        pitchInformation += other.pitchInformation;
+        pitchGradient += other.pitchGradient;
+    }
+};
+
+/// Those of one segment, which most slices have of a plane.
+inline SliceSums sumsOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
+                        double squaredFloor)
+{
+    const Row row = rowOf(seen, segment);
+    Variances variances = variancesOf(seen, segment, row, noise);
+    if (squaredFloor > 0.0)
+        variances = withFloor(variances, segment, squaredFloor);
+    const double place = 1.0 / variances.place;
+    const double slope = 1.0 / variances.slope;
+    const double p0 = place * row.first;
+    const double p1 = place * row.second;
+    const double s0 = slope * row.firstSlope;
+    const double s1 = slope * row.secondSlope;
+    SliceSums sums;
+    sums.i00 = p0 * row.first + s0 * row.firstSlope;
+    sums.i01 = p0 * row.second + s0 * row.secondSlope;
+    sums.i02 = -p0;
+    sums.i11 = p1 * row.second + s1 * row.secondSlope;
+    sums.i12 = -p1;
+    sums.i22 = place;
+    sums.g0 = row.distance * p0 + row.inclination * s0;
+    sums.g1 = row.distance * p1 + row.inclination * s1;
+    sums.g2 = -(row.distance * place);
+    sums.c0 = row.pitch * p0 + row.pitchSlope * s0;
+    sums.c1 = row.pitch * p1 + row.pitchSlope * s1;
+    sums.c2 = -(row.pitch * place);
+    sums.chi = place * row.distance * row.distance + slope * row.inclination * row.inclination;
+    sums.pitchInformation = place * row.pitch * row.pitch + slope * row.pitchSlope * row.pitchSlope;
+    sums.pitchGradient = place * row.pitch * row.distance + slope * row.pitchSlope * row.inclination;
+    return sums;
+}
+
 double commonPitchVariance(const NoiseParameters& noise)
 {
     return noise.pitchCommon ? noise.pitch * noise.pitch : 0.0;
@@ -124,51 +176,15 @@ PlaneEstimate PlaneEstimate::afresh() const
     return estimate;
 }
 
-PlaneInSlice PlaneEstimate::inSlice(const SliceFrame& frame) const
-{
-    PlaneInSlice seen;
-    seen.distance = functionOf(start_, frame);
-    seen.distance.constant -= startDistance_;
-    seen.first = functionOf(tangents_.col(0), frame);
-    seen.second = functionOf(tangents_.col(1), frame);
-    seen.pitch = {0.0, start_.dot(frame.aheadTurned), start_.dot(frame.originTurned)};
-    seen.steepness = std::max(kLeastSteepness, seen.distance.u * seen.distance.u + seen.distance.v * seen.distance.v);
-    return seen;
-}
-
 void PlaneEstimate::accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,
                                const NoiseParameters& noise, double floor, double sign)
 {
-    // Sums of the slice: information by (first, second, d), gradient, and coupling with the pitch.
-    double i00 = 0.0, i01 = 0.0, i02 = 0.0, i11 = 0.0, i12 = 0.0, i22 = 0.0;
-    double g0 = 0.0, g1 = 0.0, g2 = 0.0;
-    double c0 = 0.0, c1 = 0.0, c2 = 0.0;
-    double chi = 0.0, pitchInformation = 0.0, pitchGradient = 0.0;
-    for (const SegmentStatistics* segment : segments) {
-        const Row row = rowOf(seen, *segment);
-        const Variances variances = withFloor(variancesOf(seen, *segment, row, noise), *segment, floor * floor);
-        const double place = 1.0 / variances.place;
-        const double slope = 1.0 / variances.slope;
-        const double p0 = place * row.first;
-        const double p1 = place * row.second;
-        const double s0 = slope * row.firstSlope;
-        const double s1 = slope * row.secondSlope;
-        i00 += p0 * row.first + s0 * row.firstSlope;
-        i01 += p0 * row.second + s0 * row.secondSlope;
-        i02 -= p0;
-        i11 += p1 * row.second + s1 * row.secondSlope;
-        i12 -= p1;
-        i22 += place;
-        g0 += row.distance * p0 + row.inclination * s0;
-        g1 += row.distance * p1 + row.inclination * s1;
-        g2 -= row.distance * place;
-        c0 += row.pitch * p0 + row.pitchSlope * s0;
-        c1 += row.pitch * p1 + row.pitchSlope * s1;
-        c2 -= row.pitch * place;
-        chi += place * row.distance * row.distance + slope * row.inclination * row.inclination;
-        pitchInformation += place * row.pitch * row.pitch + slope * row.pitchSlope * row.pitchSlope;
-        pitchGradient += place * row.pitch * row.distance + slope * row.pitchSlope * row.inclination;
-    }
+    SliceSums sums;
+    if (!segments.empty())
+        sums = sumsOf(seen, *segments.front(), noise, floor * floor);
+    for (std::size_t i = 1; i < segments.size(); ++i)
+        sums += sumsOf(seen, *segments[i], noise, floor * floor);
+    const auto [i00, i01, i02, i11, i12, i22, g0, g1, g2, c0, c1, c2, chi, pitchInformation, pitchGradient] = sums;
     const double variance = commonPitchVariance(noise);
     const double k = variance / (1.0 + variance * pitchInformation);
     const double k0 = k * c0;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -22,7 +23,15 @@ struct SliceFrame {
     Eigen::Vector3d aheadTurned = Eigen::Vector3d::UnitZ();  ///< ∂ahead/∂φ
     Eigen::Vector3d originTurned = Eigen::Vector3d::Zero();  ///< ∂origin/∂φ [m]
 
-    Eigen::Vector3d pointAt(double u, double v) const { return origin + Eigen::Vector3d{u, 0.0, 0.0} + v * ahead; }
+    Eigen::Vector3d pointAt(double u, double v) const
+    {
+        return {origin.x() + u + v * ahead.x(), origin.y() + v * ahead.y(), origin.z() + v * ahead.z()};
+    }
+    /// A direction (u, v) of it in space; no zero is negative.
+    Eigen::Vector3d directionAt(double u, double v) const
+    {
+        return {u + v * ahead.x(), 0.0 + v * ahead.y(), 0.0 + v * ahead.z()};
+    }
 };
 
 /// The frame of a slice at this tilt [rad].
@@ -35,6 +44,10 @@ struct SliceFunction {
     double at(double pointU, double pointV) const { return u * pointU + v * pointV + constant; }
     double along(double directionU, double directionV) const { return u * directionU + v * directionV; }
 };
+
+/// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact, and
+/// at that angle none can be told to belong.
+inline constexpr double kLeastSteepness = 2.7e-3;
 
 /// What a plane and the directions it can move in look like in a slice.
 struct PlaneInSlice {
@@ -77,7 +90,31 @@ public:
     /// The same plane with the same covariance, linearised where it is, without the segments that told.
     PlaneEstimate afresh() const;
 
-    PlaneInSlice inSlice(const SliceFrame& frame) const;
+    PlaneInSlice inSlice(const SliceFrame& frame) const
+    {
+        PlaneInSlice seen;
+        look(frame, seen);
+        return seen;
+    }
+    /// The same, written where it is to stay.
+    void look(const SliceFrame& frame, PlaneInSlice& seen) const
+    {
+        const double u = start_.x();
+        const double v = start_.dot(frame.ahead);
+        seen.distance.u = u;
+        seen.distance.v = v;
+        seen.distance.constant = start_.dot(frame.origin) - startDistance_;
+        seen.first.u = tangents_(0, 0);
+        seen.first.v = tangents_.col(0).dot(frame.ahead);
+        seen.first.constant = tangents_.col(0).dot(frame.origin);
+        seen.second.u = tangents_(0, 1);
+        seen.second.v = tangents_.col(1).dot(frame.ahead);
+        seen.second.constant = tangents_.col(1).dot(frame.origin);
+        seen.pitch.u = 0.0;
+        seen.pitch.v = start_.dot(frame.aheadTurned);
+        seen.pitch.constant = start_.dot(frame.originTurned);
+        seen.steepness = std::max(kLeastSteepness, u * u + v * v);
+    }
 
     /// Adds (sign = 1) or takes away (sign = −1) segments of one slice together. A floor [m] is what a segment
     /// may be off as a whole, beside its noise: it keeps few segments from telling more than a real sensor can.

@@ -98,13 +98,17 @@ double freedomOf(const PlaneTrack& plane)
 /// Mean of its segments' squared residuals, beside what real walls stray.
 double reducedChi(PlaneTrack& plane, TrackMap& map, const Parameters& parameters)
 {
+    if (map.holds(plane, plane.reducedAt))
+        return plane.reducedChi;
     double chi = 0.0;
     for (const SegmentNumber number : plane.members) {
         const TrackedSegment& s = map.segment(number);
         chi += plane.estimate.residualChi(map.seenIn(plane, s.slice), s.statistics, parameters.noise,
                                           parameters.flatnessFloor());
     }
-    return chi / freedomOf(plane);
+    plane.reducedChi = chi / freedomOf(plane);
+    plane.reducedAt = map.moment();
+    return plane.reducedChi;
 }
 
 }  // namespace
@@ -163,6 +167,7 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
                             {{"reduced_chi2", reduced, Comparison::Greater, limit}}, {PlaneRef{plane.id}});
             map.segment(*worst).owner = kNoPlane;
             plane.members.erase(worst);
+            map.stamp(plane);
             if (!map.rebuild(plane, parameters))
                 break;
         }
@@ -181,6 +186,8 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
                                         std::max(kFewestPoints, static_cast<double>(p.enoughPoints)));
     std::vector<PlaneId> unfounded;
     for (PlaneTrack& plane : map.planes()) {
+        if (map.holds(plane, plane.foundedAt))
+            continue;
         const Strip strip = stripOf(plane, map);
         const bool narrow = strip.width < p.stripWidth && strip.freeShare > p.stripShare;
         const std::vector<Test> tests{
@@ -195,8 +202,10 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
             {"incidence", map.meanIncidence(plane), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };
-        if (std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); }))
+        if (std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); })) {
+            plane.foundedAt = map.moment();
             continue;
+        }
         unfounded.push_back(plane.id);
         recorder.decide(DecisionKind::NoFit, {PlaneRef{plane.id}}, tests);
     }

@@ -41,10 +41,11 @@ void TrackMap::append(const ScanSlice& slice, const SensorModel& sensor, std::sp
         beamShift = static_cast<int>(std::lround((slice.firstBearing - firstBearing_) / bearingStep_));
     }
     for (const SegmentStatistics& statistics : segments) {
-        segments_.push_back({statistics, slices(), kNoPlane});
+        segments_.push_back({statistics, slices()});
         beams_.push_back({statistics.firstBeam + beamShift, statistics.lastBeam + beamShift});
     }
     slices_.push_back(tracked);
+    slices_.back().lookback = neighbours(slices() - 1, -1);
 }
 
 PlaneTrack& TrackMap::findPlane(PlaneId id)
@@ -71,15 +72,6 @@ double TrackMap::meanTiltStep() const
     return slices_.size() < 2 ? 0.0 : tiltTravelled_ / static_cast<double>(slices_.size() - 1);
 }
 
-const PlaneInSlice& TrackMap::seenIn(PlaneTrack& plane, int place)
-{
-    if (plane.seenIn != place) {
-        plane.seen = plane.estimate.inSlice(slice(place).frame);
-        plane.seenIn = place;
-    }
-    return plane.seen;
-}
-
 double TrackMap::incidence(SegmentNumber number, const PlaneEstimate& estimate) const
 {
     const TrackedSegment& s = segment(number);
@@ -102,6 +94,7 @@ void TrackMap::touch(PlaneTrack& plane, int step)
     plane.changedStep = step;
     ++plane.revision;
     plane.published = nullptr;
+    stamp(plane);
 }
 
 bool TrackMap::rebuild(PlaneTrack& plane, const Parameters& parameters)

@@ -23,6 +23,7 @@ struct TrackedSlice {
     SliceFrame frame;
     SegmentNumber first = 0;  ///< its segments are [first, end)
     SegmentNumber end = 0;
+    int lookback = 0;  ///< how many slices before it count as next to it
 };
 
 /// First and last beam of a segment among those of the scan's first slice: interlaced scanners start elsewhere.
@@ -37,6 +38,7 @@ struct TrackedSegment {
     int slice = 0;             ///< place of its slice
     PlaneId owner = kNoPlane;  ///< the plane that it belongs to
     int contested = -1;        ///< the plane of `contestedPlanes` that it was on last; −1 for none
+    std::int64_t left = -1;    ///< moment at which no plane was found for it; −1 for none
 };
 
 /// A plane that follows its segments from slice to slice.
@@ -57,7 +59,11 @@ struct PlaneTrack {
     int changedStep = 0;
     std::uint64_t revision = 0;
     Lineage lineage;
-    PlaneInSlice seen;  ///< the plane in the slice seenIn
+    std::int64_t changedAt = 0;   ///< moment at which its estimate or its members changed last
+    std::int64_t foundedAt = -1;  ///< moment at which it was found large, wide and flat enough; −1 for none
+    std::int64_t reducedAt = -1;  ///< moment at which reducedChi was worked out; −1 for none
+    double reducedChi = 0.0;      ///< mean of its segments' squared residuals
+    PlaneInSlice seen;            ///< the plane in the slice seenIn
     int seenIn = -1;
     std::shared_ptr<const Plane> published;
 };
@@ -83,7 +89,7 @@ public:
     }
 
     /// How many slices back, and how many ahead, count as next to a slice: two, or those within a degree and a half.
-    int lookback(int place) const { return neighbours(place, -1); }
+    int lookback(int place) const { return slice(place).lookback; }
     int lookahead(int place) const { return neighbours(place, 1); }
     /// Mean angle between neighbouring slices so far [rad].
     double meanTiltStep() const;
@@ -107,7 +113,14 @@ public:
     }
 
     /// The plane as it is seen in a slice.
-    const PlaneInSlice& seenIn(PlaneTrack& plane, int place);
+    const PlaneInSlice& seenIn(PlaneTrack& plane, int place)
+    {
+        if (plane.seenIn != place) {
+            plane.estimate.look(slice(place).frame, plane.seen);
+            plane.seenIn = place;
+        }
+        return plane.seen;
+    }
 
     /// χ² of a segment against a plane; infinite where it is sure to reach the limit.
     double joinChi(PlaneTrack& plane, SegmentNumber number, const NoiseParameters& noise, double floor,
@@ -152,6 +165,17 @@ public:
     void dissolve(PlaneId id);
 
     void touch(PlaneTrack& plane, int step);
+    /// Tells that a plane's estimate or its members changed.
+    void stamp(PlaneTrack& plane) { plane.changedAt = ++moment_; }
+
+    /// Moments count changes of planes: what was found out about a plane holds until it changes, or the parameters do.
+    std::int64_t moment() const { return moment_; }
+    bool holds(const PlaneTrack& plane, std::int64_t found) const
+    {
+        return found >= parametersSince_ && plane.changedAt <= found;
+    }
+    /// Tells that what follows is judged by other parameters than before.
+    void parametersChanged() { parametersSince_ = ++moment_; }
 
     DirectionClusters clusters;
     std::vector<PlaneEstimate> contestedPlanes;  ///< those that were taken apart because runs lean out of them
@@ -174,6 +198,8 @@ private:
     std::vector<PlaneTrack> planes_;      // in order of id
     std::vector<std::size_t> lastPlace_;  // where the plane of an id was among them when it was asked for last
     PlaneId nextPlane_ = 0;
+    std::int64_t moment_ = 0;
+    std::int64_t parametersSince_ = 0;
     double bearingStep_ = 0.0;
     double firstBearing_ = 0.0;
     double tiltTravelled_ = 0.0;
@@ -186,9 +212,10 @@ bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double f
     PlaneEstimate estimate(plane.estimate.normal(), plane.estimate.distance());
     const PlaneEstimate before = plane.estimate.afresh();
     int fitted = 0;
+    PlaneInSlice seen;
     for (std::size_t i = 0; i < plane.members.size();) {
         const int place = segment(plane.members[i]).slice;
-        const PlaneInSlice seen = estimate.inSlice(slice(place).frame);
+        estimate.look(slice(place).frame, seen);
         group_.clear();
         for (; i < plane.members.size() && segment(plane.members[i]).slice == place; ++i) {
             const SegmentStatistics& statistics = segment(plane.members[i]).statistics;
@@ -205,6 +232,7 @@ bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double f
     plane.linearisedAt = plane.points;
     plane.slicesUnsolved = 0;
     plane.seenIn = -1;
+    stamp(plane);
     return true;
 }
 

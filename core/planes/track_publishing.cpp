@@ -48,19 +48,6 @@ Eigen::Matrix<double, 3, 2> tangentsOf(const PlaneEstimate& estimate)
 
 }  // namespace
 
-SegmentId idOf(SegmentNumber number, const TrackMap& map)
-{
-    const TrackedSlice& slice = map.slice(map.segment(number).slice);
-    return {slice.step, number - slice.first};
-}
-
-Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map)
-{
-    const TrackedSegment& s = map.segment(number);
-    return Eigen::Vector3d{s.statistics.directionU, 0.0, 0.0} +
-           s.statistics.directionV * map.slice(s.slice).frame.ahead;
-}
-
 double meanErrorOf(const PlaneTrack& plane)
 {
     return std::max(0.0, plane.estimate.chi()) / freedomOf(plane);
@@ -78,7 +65,7 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
     segments.reserve(static_cast<std::size_t>(slice.end - slice.first));
     for (SegmentNumber number = slice.first; number < slice.end; ++number) {
         const SegmentStatistics& s = map.segment(number).statistics;
-        LineSegment segment;
+        LineSegment& segment = segments.emplace_back();
         segment.id = {slice.step, number - slice.first};
         segment.firstBeam = s.firstBeam;
         segment.lastBeam = s.lastBeam;
@@ -93,17 +80,23 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
         };
         end(s.start, segment.start, segment.startCovariance);
         end(s.end, segment.end, segment.endCovariance);
-        segment.direction = -directionOf(number, map);
+        const Eigen::Vector3d along = slice.frame.directionAt(s.directionU, s.directionV);
+        segment.direction = -along;
         segment.viewpoint = slice.frame.origin;
         segment.directionSigma = s.slopeInformation > 0.0 ? 1.0 / std::sqrt(s.slopeInformation) : std::numbers::pi;
         segment.placeSigma = s.offsetInformation > 0.0 ? 1.0 / std::sqrt(s.offsetInformation) : 0.0;
         segment.rms = std::sqrt(s.thickness);
         segment.moments.count = s.points;
         segment.moments.mean = slice.frame.pointAt(s.u, s.v);
-        const Eigen::Vector3d across = Eigen::Vector3d{-s.directionV, 0.0, 0.0} + s.directionU * slice.frame.ahead;
-        segment.moments.scatter = s.points * s.spread * segment.direction * segment.direction.transpose() +
-                                  s.points * s.thickness * across * across.transpose();
-        segments.push_back(std::move(segment));
+        // Number by number: products of such short vectors wait for what was stored just before.
+        const double ofLength = s.points * s.spread;
+        const double ofThickness = s.points * s.thickness;
+        const Eigen::Vector3d across = slice.frame.directionAt(-s.directionV, s.directionU);
+        for (Eigen::Index row = 0; row < 3; ++row) {
+            for (Eigen::Index column = 0; column < 3; ++column)
+                segment.moments.scatter(row, column) =
+                    ofLength * along[row] * along[column] + ofThickness * across[row] * across[column];
+        }
     }
     return segments;
 }

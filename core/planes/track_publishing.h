@@ -10,10 +10,18 @@
 namespace planewright {
 
 /// How people and files call a segment.
-SegmentId idOf(SegmentNumber number, const TrackMap& map);
+inline SegmentId idOf(SegmentNumber number, const TrackMap& map)
+{
+    const TrackedSlice& slice = map.slice(map.segment(number).slice);
+    return {slice.step, number - slice.first};
+}
 
 /// Unit vector of a segment in space.
-Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map);
+inline Eigen::Vector3d directionOf(SegmentNumber number, const TrackMap& map)
+{
+    const TrackedSegment& s = map.segment(number);
+    return map.slice(s.slice).frame.directionAt(s.statistics.directionU, s.statistics.directionV);
+}
 
 /// Mean squared Mahalanobis distance of a plane's segments: 1 is expected.
 double meanErrorOf(const PlaneTrack& plane);

@@ -7,14 +7,14 @@
 #include <array>
 #include <cmath>
 
+#include "core/segments/lanes.h"
+
 // One body each, inlined into a function per kind of processor, so that the compiler vectorises it for that kind.
 #define PLANEWRIGHT_BODY [[gnu::always_inline]] inline
 
 namespace planewright {
 
 namespace {
-
-constexpr int kLanes = 16;
 
 template <class Number>
 PLANEWRIGHT_BODY int placeBody(const double* __restrict ranges, const Number* __restrict cosine,
@@ -60,18 +60,20 @@ PLANEWRIGHT_BODY void markGapsBody(const BeamArraysOf<Number>& points, const Num
     }
 }
 
-/// Squared deviation from a chord where it is beyond the limits, else 0.
-template <class Number>
-PLANEWRIGHT_BODY Number countedDeviation(Number u, Number v, Number relativeVariance, Number normalU, Number normalV,
-                                         Number offset, const DeviationLimitsOf<Number>& limits)
+/// Squared deviation from a chord where it is beyond the limits, else 0; of one point or of a register of them.
+template <class Number, class Points>
+PLANEWRIGHT_BODY void countDeviation(const Points& u, const Points& v, const Points& relativeVariance, Number normalU,
+                                     Number normalV, Number offset, const DeviationLimitsOf<Number>& limits,
+                                     Points& counted)
 {
-    const Number along = normalU * u + normalV * v;
-    const Number across = normalV * u - normalU * v;
-    const Number deviation = along - offset;
-    const Number squared = deviation * deviation;
-    const Number variance = along * along * relativeVariance + across * across * limits.bearingVariance;
-    const Number limit = std::max(limits.fixedSquared, limits.sigmasSquared * variance);
-    return squared > limit ? squared : Number{0};
+    const Points along = normalU * u + normalV * v;
+    const Points across = normalV * u - normalU * v;
+    const Points deviation = along - offset;
+    const Points squared = deviation * deviation;
+    const Points variance = along * along * relativeVariance + across * across * limits.bearingVariance;
+    const Points ofSigmas = limits.sigmasSquared * variance;
+    const Points limit = ofSigmas > limits.fixedSquared ? ofSigmas : Points{} + limits.fixedSquared;
+    counted = squared > limit ? squared : Points{};
 }
 
 template <class Number>
@@ -85,60 +87,83 @@ PLANEWRIGHT_BODY int farthestExactlyBody(const BeamArraysOf<Number>& points, int
     const Number normalV = chord.directionU;
     const Number offset = normalU * chord.u + normalV * chord.v;
     Number largest = 0;
-    for (int i = first; i <= last; ++i)
-        largest = std::max(largest, countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits));
+    for (int i = first; i <= last; ++i) {
+        Number counted;
+        countDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits, counted);
+        largest = std::max(largest, counted);
+    }
     if (largest == Number{0})
         return -1;
     for (int i = first; i <= last; ++i) {
-        if (countedDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits) == largest)
+        Number counted;
+        countDeviation(u[i], v[i], relative[i], normalU, normalV, offset, limits, counted);
+        if (counted == largest)
             return i;
     }
     return -1;
 }
 
+/// Numbers of a register's worth of points from one on.
+template <int Width>
+PLANEWRIGHT_BODY void load(const float* numbers, int first, typename LanesOf<Width>::Floats& floats)
+{
+    floats = *reinterpret_cast<const typename Register<Width>::Anywhere*>(numbers + first);
+}
+
 /// The same in sixteen lanes at once; those past the end are looked at but do not count.
+template <int Width>
 PLANEWRIGHT_BODY int farthestBody(const BeamArrays& points, int first, int last, const ChordF& chord,
                                   const DeviationLimits& limits)
 {
-    const float* __restrict u = points.u;
-    const float* __restrict v = points.v;
-    const float* __restrict relative = points.relativeVariance;
+    using Lanes = LanesOf<Width>;
+    using Floats = typename Lanes::Floats;
+    using Integers = typename Lanes::Integers;
     const float normalU = -chord.directionV;
     const float normalV = chord.directionU;
     const float offset = normalU * chord.u + normalV * chord.v;
-    float best[kLanes] = {};
-    int found[kLanes] = {};
-    for (int i = first; i <= last; i += kLanes) {
-        for (int lane = 0; lane < kLanes; ++lane) {
-            const float deviation =
-                countedDeviation(u[i + lane], v[i + lane], relative[i + lane], normalU, normalV, offset, limits);
-            const bool better = (lane <= last - i) & (deviation > best[lane]);
-            best[lane] = better ? deviation : best[lane];
-            found[lane] = better ? i : found[lane];
+    Lanes best;
+    Integers found[Lanes::kParts] = {};
+    const auto look = [&](int i, bool all) PLANEWRIGHT_INLINED {
+        for (int p = 0; p < Lanes::kParts; ++p) {
+            Floats u, v, relative, counted;
+            load<Width>(points.u, i + p * Width, u);
+            load<Width>(points.v, i + p * Width, v);
+            load<Width>(points.relativeVariance, i + p * Width, relative);
+            if (!all) {  // the chord's own point does not deviate
+                const Integers counts = Register<Width>::kNumbers <= last - i - p * Width;
+                u = counts ? u : Floats{} + chord.u;
+                v = counts ? v : Floats{} + chord.v;
+            }
+            countDeviation(u, v, relative, normalU, normalV, offset, limits, counted);
+            found[p] = counted > best.part[p] ? Integers{} + i : found[p];
+            best.part[p] = counted > best.part[p] ? counted : best.part[p];
         }
-    }
-    float largest = 0.0F;
-    for (const float lane : best)
-        largest = std::max(largest, lane);
+    };
+    int i = first;
+    for (; i + kLanes <= last + 1; i += kLanes)
+        look(i, true);
+    if (i <= last)
+        look(i, false);
+    const float largest = best.largest();
     if (largest == 0.0F)
         return -1;
     int farthest = last;
-    for (int lane = 0; lane < kLanes; ++lane)
-        farthest = std::min(farthest, best[lane] == largest ? found[lane] + lane : last);
+    for (int p = 0; p < Lanes::kParts; ++p) {
+        const Integers place =
+            best.part[p] == largest ? found[p] + Register<Width>::kNumbers + p * Width : Integers{} + last;
+        for (int lane = 0; lane < Width; ++lane)
+            farthest = std::min(farthest, place[lane]);
+    }
     return farthest;
-}
-
-PLANEWRIGHT_BODY float laneSum(const float* lanes)
-{
-    float eight[8];
-    for (int i = 0; i < 8; ++i)
-        eight[i] = lanes[i] + lanes[i + 8];
-    return ((eight[0] + eight[4]) + (eight[2] + eight[6])) + ((eight[1] + eight[5]) + (eight[3] + eight[7]));
 }
 
 /// Every point counts alike.
 struct PlainWeight {
-    PLANEWRIGHT_BODY float operator()(float) const { return 1.0F; }
+    template <class Floats>
+    PLANEWRIGHT_BODY void operator()(const Floats&, Floats& weight) const
+    {
+        weight = Floats{} + 1.0F;
+    }
 };
 
 /// The inverse of a point's variance across the line, by the range that the line predicts for it.
@@ -149,70 +174,76 @@ struct NoiseWeight {
     float proportional;
     float bearing;
 
-    PLANEWRIGHT_BODY float operator()(float t) const
+    template <class Floats>
+    PLANEWRIGHT_BODY void operator()(const Floats& t, Floats& weight) const
     {
-        const float x = t - foot;
-        const float xx = x * x;
-        return 1.0F / (constant / (offsetSquared + xx) + proportional + xx * bearing);
+        const Floats x = t - foot;
+        const Floats xx = x * x;
+        weight = 1.0F / (constant / (offsetSquared + xx) + proportional + xx * bearing);
     }
 };
 
 /// Adds up weight, t, h, tt, th and hh over points in sixteen lanes; `weigh(t)` gives a point's weight.
-template <class Weigh>
+template <int Width, class Weigh>
 PLANEWRIGHT_BODY ChordSums sumsBody(const BeamArrays& points, int first, int last, const ChordF& chord, Weigh weigh)
 {
-    const float* __restrict u = points.u;
-    const float* __restrict v = points.v;
-    float sumW[kLanes] = {};
-    float sumT[kLanes] = {};
-    float sumH[kLanes] = {};
-    float sumTT[kLanes] = {};
-    float sumTH[kLanes] = {};
-    float sumHH[kLanes] = {};
-    const auto add = [&](int i, int lane, bool counts) {
-        const float du = u[i] - chord.u;
-        const float dv = v[i] - chord.v;
-        const float t = chord.directionU * du + chord.directionV * dv;
-        const float h = chord.directionU * dv - chord.directionV * du;
-        const float w = counts ? weigh(t) : 0.0F;
-        const float wt = w * t;
-        const float wh = w * h;
-        sumW[lane] += w;
-        sumT[lane] += wt;
-        sumH[lane] += wh;
-        sumTT[lane] += wt * t;
-        sumTH[lane] += wt * h;
-        sumHH[lane] += wh * h;
+    using Lanes = LanesOf<Width>;
+    using Floats = typename Lanes::Floats;
+    using Integers = typename Lanes::Integers;
+    Lanes sumW, sumT, sumH, sumTT, sumTH, sumHH;
+    const auto add = [&](int i, bool all) PLANEWRIGHT_INLINED {
+        for (int p = 0; p < Lanes::kParts; ++p) {
+            Floats u, v, w;
+            load<Width>(points.u, i + p * Width, u);
+            load<Width>(points.v, i + p * Width, v);
+            const Floats du = u - chord.u;
+            const Floats dv = v - chord.v;
+            Floats t = chord.directionU * du + chord.directionV * dv;
+            Floats h = chord.directionU * dv - chord.directionV * du;
+            weigh(t, w);
+            if (!all) {
+                const Integers counts = Register<Width>::kNumbers <= last - i - p * Width;
+                t = counts ? t : Floats{};
+                h = counts ? h : Floats{};
+                w = counts ? w : Floats{};
+            }
+            const Floats wt = w * t;
+            const Floats wh = w * h;
+            sumW.part[p] += w;
+            sumT.part[p] += wt;
+            sumH.part[p] += wh;
+            sumTT.part[p] += wt * t;
+            sumTH.part[p] += wt * h;
+            sumHH.part[p] += wh * h;
+        }
     };
     int i = first;
-    for (; i + kLanes <= last + 1; i += kLanes) {
-        for (int lane = 0; lane < kLanes; ++lane)
-            add(i + lane, lane, true);
-    }
-    if (i <= last) {
-        for (int lane = 0; lane < kLanes; ++lane)
-            add(i + lane, lane, lane <= last - i);
-    }
-    return {laneSum(sumW), laneSum(sumT), laneSum(sumH), laneSum(sumTT), laneSum(sumTH), laneSum(sumHH)};
+    for (; i + kLanes <= last + 1; i += kLanes)
+        add(i, true);
+    if (i <= last)
+        add(i, false);
+    return {sumW.sum(), sumT.sum(), sumH.sum(), sumTT.sum(), sumTH.sum(), sumHH.sum()};
 }
 
+template <int Width>
 PLANEWRIGHT_BODY ChordSums plainSumsBody(const BeamArrays& points, int first, int last, const ChordF& chord)
 {
-    return sumsBody(points, first, last, chord, PlainWeight{});
+    return sumsBody<Width>(points, first, last, chord, PlainWeight{});
 }
 
+template <int Width>
 PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first, int last, const ChordF& chord,
                                             const WeightModel& model)
 {
     const float squared = model.offset * model.offset;
-    return sumsBody(points, first, last, chord,
-                    NoiseWeight{model.foot, squared, squared * model.constantVariance,
-                                squared * model.proportionalVariance, model.bearingVariance});
+    return sumsBody<Width>(points, first, last, chord,
+                           NoiseWeight{model.foot, squared, squared * model.constantVariance,
+                                       squared * model.proportionalVariance, model.bearingVariance});
 }
 
 // A function of each body for one kind of processor.
 // NOLINTBEGIN(bugprone-macro-parentheses): TARGET is an attribute of a function, which takes no parentheses.
-#define PLANEWRIGHT_KERNELS(KIND, TARGET)                                                                              \
+#define PLANEWRIGHT_KERNELS(KIND, WIDTH, TARGET)                                                                       \
     TARGET int place##KIND(const double* ranges, const float* cosine, const float* sine, int beams, float rangeMin,    \
                            float rangeMax, float constantVariance, float proportionalVariance, float* range, float* u, \
                            float* v, float* relativeVariance)                                                          \
@@ -245,7 +276,7 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     TARGET int farthest##KIND(const BeamArrays& points, int first, int last, const ChordF& chord,                      \
                               const DeviationLimits& limits)                                                           \
     {                                                                                                                  \
-        return farthestBody(points, first, last, chord, limits);                                                       \
+        return farthestBody<WIDTH>(points, first, last, chord, limits);                                                \
     }                                                                                                                  \
     TARGET int farthestExactly##KIND(const BeamArraysOf<double>& points, int first, int last,                          \
                                      const ChordOf<double>& chord, const DeviationLimitsOf<double>& limits)            \
@@ -254,22 +285,22 @@ PLANEWRIGHT_BODY ChordSums weightedSumsBody(const BeamArrays& points, int first,
     }                                                                                                                  \
     TARGET ChordSums sums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord)                    \
     {                                                                                                                  \
-        return plainSumsBody(points, first, last, chord);                                                              \
+        return plainSumsBody<WIDTH>(points, first, last, chord);                                                       \
     }                                                                                                                  \
     TARGET ChordSums weightedSums##KIND(const BeamArrays& points, int first, int last, const ChordF& chord,            \
                                         const WeightModel& model)                                                      \
     {                                                                                                                  \
-        return weightedSumsBody(points, first, last, chord, model);                                                    \
+        return weightedSumsBody<WIDTH>(points, first, last, chord, model);                                             \
     }                                                                                                                  \
     constexpr BeamKernels k##KIND{#KIND,          place##KIND,           placeExactly##KIND, markMissing##KIND,        \
                                   markGaps##KIND, markGapsExactly##KIND, farthest##KIND,     farthestExactly##KIND,    \
                                   sums##KIND,     weightedSums##KIND};
 // NOLINTEND(bugprone-macro-parentheses)
 
-PLANEWRIGHT_KERNELS(Baseline, )
+PLANEWRIGHT_KERNELS(Baseline, 4, )
 #ifdef __x86_64__
-PLANEWRIGHT_KERNELS(Avx2, [[gnu::target("avx2")]])
-PLANEWRIGHT_KERNELS(Avx512, [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq")]])
+PLANEWRIGHT_KERNELS(Avx2, 8, [[gnu::target("avx2")]])
+PLANEWRIGHT_KERNELS(Avx512, 16, [[gnu::target("avx512f,avx512bw,avx512vl,avx512dq")]])
 #endif
 
 #ifdef __x86_64__

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -61,5 +62,42 @@ private:
     std::vector<std::uint8_t> marks_;
     std::vector<int> wideGaps_;  // points before which too many beams are missing
 };
+
+inline ChordF BeamPoints::chordOf(int first, int last) const
+{
+    const auto a = static_cast<std::size_t>(first);
+    const auto b = static_cast<std::size_t>(last);
+    ChordF chord{u_[a], v_[a], u_[b] - u_[a], v_[b] - v_[a]};
+    const float length = std::sqrt(chord.directionU * chord.directionU + chord.directionV * chord.directionV);
+    if (length > 0.0F) {
+        chord.directionU /= length;
+        chord.directionV /= length;
+    } else {
+        chord.directionU = 1.0F;
+        chord.directionV = 0.0F;
+    }
+    return chord;
+}
+
+inline LineMoments BeamPoints::momentsOf(int first, int last, const ChordF& chord) const
+{
+    const ChordSums sums = kernels_->sums(arrays(), first, last, chord);
+    const auto n = static_cast<double>(sums.weight);
+    const double t = static_cast<double>(sums.t) / n;
+    const double h = static_cast<double>(sums.h) / n;
+    const double tt = static_cast<double>(sums.tt) - n * t * t;
+    const double th = static_cast<double>(sums.th) - n * t * h;
+    const double hh = static_cast<double>(sums.hh) - n * h * h;
+    const auto c = static_cast<double>(chord.directionU);
+    const auto s = static_cast<double>(chord.directionV);
+    LineMoments moments;
+    moments.count = n;
+    moments.u = static_cast<double>(chord.u) + c * t - s * h;
+    moments.v = static_cast<double>(chord.v) + s * t + c * h;
+    moments.uu = c * c * tt - 2.0 * c * s * th + s * s * hh;
+    moments.uv = c * s * (tt - hh) + (c * c - s * s) * th;
+    moments.vv = s * s * tt + 2.0 * c * s * th + c * c * hh;
+    return moments;
+}
 
 }  // namespace planewright

@@ -98,7 +98,8 @@ bool StatisticsExtractor::belongTogether(const LinePiece& left, const LinePiece&
     return isOneLine(together.moments.count, together.line.across, apart, together.variance);
 }
 
-SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, const NoiseParameters& noise) const
+void StatisticsExtractor::describe(const LinePiece& piece, const NoiseParameters& noise,
+                                   SegmentStatistics& segment) const
 {
     const LineMoments& moments = piece.moments;
     MomentLine line = piece.line;
@@ -109,7 +110,6 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, cons
         line.directionV = -line.directionV;
     }
 
-    SegmentStatistics segment;
     segment.firstBeam = points_.beam(piece.first);
     segment.lastBeam = points_.beam(piece.last);
     segment.points = static_cast<int>(moments.count);
@@ -191,7 +191,6 @@ SegmentStatistics StatisticsExtractor::statisticsOf(const LinePiece& piece, cons
     const auto marked = [&](int i) { return i >= points_.count() || points_.breaksBefore(i); };
     segment.startsFree = marked(piece.first) && farther(piece.first, piece.first - 1);
     segment.endsFree = marked(piece.last + 1) && farther(piece.last, piece.last + 1);
-    return segment;
 }
 
 void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
@@ -218,7 +217,7 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
     }
     for (std::size_t i = 0; i < kept; ++i) {
         if (pieces[i].moments.count >= static_cast<double>(shortest_))
-            segments.push_back(statisticsOf(pieces[i], parameters.noise));
+            describe(pieces[i], parameters.noise, segments.emplace_back());
     }
 }
 

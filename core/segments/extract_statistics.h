@@ -37,7 +37,7 @@ private:
     void clip(LinePiece& piece, const NoiseParameters& noise) const;
     bool belongTogether(const LinePiece& left, const LinePiece& right, const Parameters& parameters, double bearingStep,
                         LinePiece& together) const;
-    SegmentStatistics statisticsOf(const LinePiece& piece, const NoiseParameters& noise) const;
+    void describe(const LinePiece& piece, const NoiseParameters& noise, SegmentStatistics& segment) const;
 
     BeamPoints points_;
     int shortest_ = 0;  // points of the shortest piece

@@ -33,12 +33,20 @@ constexpr double kLeastShare = 0.5;
 constexpr int kLowestRange = -4;  // 1/16 m
 constexpr int kLowestSize = -16;
 
+constexpr int kBias = 127;  // of a float's exponent
+
 /// Eighths of an octave above 2^lowest, by the leading bits of a float.
 std::size_t eighthsAbove(float x, int lowest, std::size_t count)
 {
-    constexpr int kBias = 127;
     const int eighths = static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 20U) - 8 * (kBias + lowest);
     return static_cast<std::size_t>(std::clamp(eighths, 0, static_cast<int>(count) - 1));
+}
+
+/// The same in whole octaves.
+std::size_t octaveAbove(float x, int lowest, std::size_t count)
+{
+    const int octaves = static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23U) - (kBias + lowest);
+    return static_cast<std::size_t>(std::clamp(octaves, 0, static_cast<int>(count) - 1));
 }
 
 double eighth(std::size_t i)
@@ -54,43 +62,48 @@ void RangeNoise::add(const ScanSlice& slice, const SensorModel& sensor, const No
     const std::size_t wanted = samples_ < kMuch ? kFirstSamples : kLaterSamples;
     const std::size_t stride = std::max<std::size_t>(1, beams / wanted);
     const double nearest = std::max(1e-3, sensor.rangeMin);
+    const double farthest = sensor.rangeMax;
     const double cosine = 2.0 * std::cos(slice.bearingStep);
     const double perBeam = square(0.5 * told.bearing / slice.bearingStep);
-    const auto echo = [&](double range) { return range >= nearest && range <= sensor.rangeMax; };
+    const double root = std::sqrt(6.0);
+    std::int64_t taken = 0;
     for (std::size_t i = 1 + slices_++ * 7 % stride; i + 1 < beams; i += stride) {
         const double before = slice.ranges[i - 1];
         const double range = slice.ranges[i];
         const double after = slice.ranges[i + 1];
-        if (!echo(before) || !echo(range) || !echo(after) ||
-            square(after - before) * perBeam > kBearingShare * told.rangeVariance(range))
+        // One question, not four: which of them fails is anyone's guess.
+        const double least = std::min(std::min(before, range), after);
+        const double most = std::max(std::max(before, range), after);
+        if (!((least >= nearest) & (most <= farthest) &
+              (square(after - before) * perBeam <= kBearingShare * told.rangeVariance(range))))
             continue;
-        const double residual = range * (range * (before + after) / (before * after) - cosine) / std::sqrt(6.0);
-        Octave& octave = octaves_[eighthsAbove(static_cast<float>(range), kLowestRange, 8 * kRanges) / 8];
+        const double residual = range * (range * (before + after) / (before * after) - cosine) / root;
+        Octave& octave = octaves_[octaveAbove(static_cast<float>(range), kLowestRange, kRanges)];
         ++octave.counts[eighthsAbove(static_cast<float>(std::abs(residual)), kLowestSize, kSizes)];
         ++octave.samples;
         octave.squaredRanges += range * range;
-        ++samples_;
+        ++taken;
     }
+    samples_ += taken;
 }
 
 /// Standard deviation [m] by the median of the sizes that are no edges.
 double RangeNoise::sigmaOf(const Octave& octave)
 {
+    std::array<std::uint32_t, kSizes + 1> below{};  // samples of smaller size
+    for (std::size_t i = 0; i < kSizes; ++i)
+        below[i + 1] = below[i] + octave.counts[i];
     double sigma = 0.0;
-    std::int64_t counted = octave.samples;
+    std::uint32_t counted = below[kSizes];
+    std::size_t i = kSizes - 1;
     for (int round = 0; round < kEdgeRounds; ++round) {
-        if (round > 0) {
-            const std::size_t end = eighthsAbove(static_cast<float>(kEdgeSigmas * sigma), kLowestSize, kSizes) + 1;
-            counted = 0;
-            for (std::size_t i = 0; i < end; ++i)
-                counted += octave.counts[i];
-        }
-        const double half = 0.5 * static_cast<double>(counted);
-        double below = 0.0;
-        std::size_t i = 0;
-        while (below + octave.counts[i] < half)
-            below += octave.counts[i++];
-        const double share = octave.counts[i] > 0 ? (half - below) / octave.counts[i] : 0.0;
+        if (round > 0)
+            counted = below[eighthsAbove(static_cast<float>(kEdgeSigmas * sigma), kLowestSize, kSizes) + 1];
+        // The first size up to which half of them are: it does not grow from round to round.
+        const double half = 0.5 * counted;
+        while (i > 0 && below[i] >= half)
+            --i;
+        const double share = octave.counts[i] > 0 ? (half - below[i]) / octave.counts[i] : 0.0;
         sigma = (eighth(i) + share * (eighth(i + 1) - eighth(i))) / kMedianSize;
     }
     return sigma;

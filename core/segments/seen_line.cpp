@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "core/segments/line_piece.h"
 
@@ -57,14 +56,16 @@ double likeliestSlope(const MomentLine& fitted, const SeenLine& line, const Nois
     double across = 0.0;
     double both = 0.0;
     double along = 0.0;
-    for (const auto& [place, share] :
-         {std::pair{line.from, 1.0}, std::pair{0.5 * (line.from + line.to), 4.0}, std::pair{line.to, 1.0}}) {
+    const auto take = [&](double place, double share) {
         const double variance = share * varianceAt(place, line, noise);
         const double ratio = place / line.offset;
         across += variance;
         both += variance * ratio;
         along += variance * ratio * ratio;
-    }
+    };
+    take(line.from, 1.0);
+    take(0.5 * (line.from + line.to), 4.0);
+    take(line.to, 1.0);
     // The zero of the derivative that is a minimum: 0 = a² S_tt N_th − a (S_tt N_hh − S_hh N_tt) − S_hh N_th.
     const double linear = fitted.along * across - fitted.across * along;
     const double root = std::sqrt(square(linear) + 4.0 * fitted.along * fitted.across * square(both));

@@ -71,6 +71,7 @@ private slots:
     void leftoverSegmentsJoinKnownPlanesSeenAboutThen_data();
     void leftoverSegmentsJoinKnownPlanesSeenAboutThen();
     void leftoverSegmentsThatFitNothingStayFree();
+    void leftoverSegmentsAreAskedAgainWhenSomethingChanged();
     void mirroredScansAreJoinedAlike();
 };
 
@@ -395,6 +396,30 @@ void JoinTracksTest::leftoverSegmentsJoinKnownPlanesSeenAboutThen()
     joinRemaining(scan.map, 0, scan.parameters, scan.recorded.recorder);
 
     QCOMPARE(scan.map.segment(lone).owner, joins ? 0 : kNoPlane);
+}
+
+void JoinTracksTest::leftoverSegmentsAreAskedAgainWhenSomethingChanged()
+{
+    // A gate so wide that it takes the segment in is not asked for as long as nobody tells that it has changed.
+    for (const bool planeChanges : {false, true}) {
+        Surface off = kWall;
+        off.distance += 0.1;
+        Joining wall({kWall});
+        wall.see({off});
+        wall.joinRest(0);
+        QCOMPARE(wall.lastOwner(), kNoPlane);
+        wall.scan.parameters.likelihood.joinGate = 1e9;
+        wall.joinRest(0);
+        QCOMPARE(wall.lastOwner(), kNoPlane);
+
+        if (planeChanges)
+            wall.scan.map.rebuild(wall.scan.map.plane(wall.ids[0]), wall.scan.parameters);
+        else
+            wall.scan.map.parametersChanged();
+        wall.joinRest(0);
+
+        QCOMPARE(wall.lastOwner(), wall.ids[0]);
+    }
 }
 
 void JoinTracksTest::leftoverSegmentsThatFitNothingStayFree()

@@ -82,6 +82,7 @@ private slots:
     void anOldPlaneIsSolvedWithEveryFourthSlice();
     void rebuildLeavesOutWhatDoesNotCount();
     void rebuildForgetsWhereThePlaneWasSeen();
+    void whatWasFoundOutHoldsUntilThePlaneOrTheParametersChange();
     void membersFollowTheirOwners();
     void dissolvedPlanesFreeTheirSegmentsAndKeepTheirNumber();
 };
@@ -403,6 +404,26 @@ void TrackMapTest::rebuildForgetsWhereThePlaneWasSeen()
     const double expected = plane.estimate.joinChi(plane.estimate.inSlice(scan.map.slice(4).frame),
                                                    scan.map.segment(8).statistics, scan.parameters.noise, 0.002);
     QCOMPARE(scan.map.joinChi(plane, 8, scan.parameters.noise, 0.002), expected);
+}
+
+void TrackMapTest::whatWasFoundOutHoldsUntilThePlaneOrTheParametersChange()
+{
+    NoddingScan scan;
+    scan.nod(8, {kWall});
+    const PlaneId growing = scan.makePlane({0, 1, 2}, kWall);
+    const PlaneId resting = scan.makePlane({5, 6, 7}, kWall);
+    const std::int64_t found = scan.map.moment();
+    const auto holds = [&](PlaneId id) { return scan.map.holds(scan.map.plane(id), found); };
+
+    QVERIFY(!scan.map.holds(scan.map.plane(resting), -1));  // was never found out
+    QVERIFY(holds(growing) && holds(resting));
+    joinSlices(scan, growing, 3, 3);
+    QVERIFY(!holds(growing) && holds(resting));
+    scan.map.rebuild(scan.map.plane(resting), scan.parameters);
+    QVERIFY(!holds(resting));
+    const std::int64_t later = scan.map.moment();
+    scan.map.parametersChanged();
+    QVERIFY(!scan.map.holds(scan.map.plane(resting), later));
 }
 
 void TrackMapTest::membersFollowTheirOwners()
