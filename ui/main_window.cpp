@@ -138,7 +138,8 @@ void MainWindow::makeToolBar()
         const char* action;
         const char* text;
     };
-    constexpr Button kButtons[]{{"actStart", "▶ Scan"},
+    constexpr Button kButtons[]{{"actRecord", "● REC"},
+                                {"actStart", "▶ Scan"},
                                 {"actPause", "❚❚ Pause"},
                                 {"actFinish", "■ Finish"},
                                 {"actStopMotion", "Stop motion"},
@@ -159,6 +160,11 @@ void MainWindow::makeToolBar()
         bar->widgetForAction(action)->setMinimumHeight(30);
         bar->widgetForAction(action)->setAccessibleName(QString(action->text()).remove(QLatin1Char('&')));
     }
+    auto* exports = static_cast<QToolButton*>(bar->widgetForAction((*actions_)[QStringLiteral("actExportPlanes")]));
+    exports->setObjectName(QStringLiteral("exportButton"));
+    exports->setPopupMode(QToolButton::MenuButtonPopup);
+    for (const char* name : {"actExportPlanes", "actExportPoints", "actExportSegments", "actExportFloorPlan"})
+        exports->addAction((*actions_)[QLatin1String(name)]);
     // Stopping must be found at once.
     bar->widgetForAction((*actions_)[QStringLiteral("actStopMotion")])
         ->setStyleSheet(QStringLiteral("QToolButton { font-weight: bold; color: white; background: #b3261e; "

@@ -113,6 +113,7 @@ constexpr std::array kRows{
     Row{"&Window", "actLayoutPresent", "&Present layout", "Ctrl+Alt+3", "The 3D view alone"},
     Row{"&Window", "actResetLayout", "&Reset layout", "", "Put every panel back where it was"},
 
+    Row{"&Help", "actTour", "&Quick tour", "", "What is where, in four steps"},
     Row{"&Help", "actShortcuts", "&Shortcuts", "F1", "All shortcuts in a list"},
     Row{"&Help", "actManual", "&Manual", "", "What the program does and how"},
     Row{"&Help", "actParameterReference", "&Parameter reference", "", "Every parameter with its meaning"},

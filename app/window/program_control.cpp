@@ -23,13 +23,14 @@
 
 namespace planewright {
 
-ProgramControl::ProgramControl(WindowParts& parts) : QObject(&parts), parts_(parts)
+ProgramControl::ProgramControl(WindowParts& parts) : QObject(&parts), parts_(parts), tour_(new Tour(parts.window.get()))
 {
     for (QAction* action : parts_.window->actions().all())
         ownShortcuts_[action->objectName()] = action->shortcuts();
     applyShortcuts();
     connectLayouts();
     connectHelp();
+    connectTour();
     parts_.logPanel->setReportHead([this] { return versions(); });
     connect(parts_.window->actions()[QStringLiteral("actPreferences")], &QAction::triggered, this,
             &ProgramControl::openPreferences);
@@ -70,6 +71,33 @@ void ProgramControl::connectLayouts()
         window.setWindowState(on ? window.windowState() | Qt::WindowFullScreen
                                  : window.windowState() & ~Qt::WindowFullScreen);
     });
+}
+
+/// Whoever sees it work for the first time is shown around, once.
+void ProgramControl::connectTour()
+{
+    connect(parts_.window->actions()[QStringLiteral("actTour")], &QAction::triggered, this, &ProgramControl::startTour);
+    connect(&parts_.window->welcome(), &WelcomePage::sampleRequested, this,
+            [this] { tourIsDue_ = !parts_.settings.value(QStringLiteral("tour/seen"), false).toBool(); });
+    connect(&parts_, &WindowParts::mapShown, this, [this] {
+        if (tourIsDue_ && !parts_.shown->planes.empty())
+            startTour();
+    });
+}
+
+void ProgramControl::startTour()
+{
+    tourIsDue_ = false;
+    parts_.settings.setValue(QStringLiteral("tour/seen"), true);
+    tour_->start({{&parts_.window->view(),
+                   tr("Line segments appear slice by slice, and planes grow from the fifth slice on. Drag to look "
+                      "around, click a plane to select it.")},
+                  {parts_.planesPanel, tr("Every plane with its numbers: sort, filter, name, hide, merge. What is "
+                                          "selected here is selected in the view.")},
+                  {parts_.window->findChild<QWidget*>(QStringLiteral("setupTabs")),
+                   tr("Where slices come from, what the method is told, and what the view shows.")},
+                  {parts_.window->findChild<QWidget*>(QStringLiteral("exportButton")),
+                   tr("Planes as CSV, JSON, PLY, OBJ or DXF, points, segments and a floor plan.")}});
 }
 
 QString ProgramControl::versions() const

@@ -6,6 +6,7 @@
 #include <QObject>
 
 #include "app/window/window_parts.h"
+#include "ui/tour.h"
 
 namespace planewright {
 
@@ -24,10 +25,14 @@ private:
     void connectHelp();
     void applyShortcuts();
     void openPreferences();
+    void connectTour();
+    void startTour();
     void showPage(const QString& title, const QString& resource);
 
     WindowParts& parts_;
     QHash<QString, QList<QKeySequence>> ownShortcuts_;
+    Tour* tour_;
+    bool tourIsDue_ = false;  ///< as soon as there are planes
 };
 
 }  // namespace planewright

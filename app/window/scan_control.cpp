@@ -236,6 +236,9 @@ void ScanControl::takeState(SessionState state)
         start();
         return;
     }
+    parts_.parametersPanel->setScanning(state == SessionState::Homing || state == SessionState::Scanning ||
+                                        state == SessionState::Paused || state == SessionState::Finishing ||
+                                        state == SessionState::Replaying || state == SessionState::Fault);
     refreshActions();
     refreshOverlay();
 }

@@ -135,6 +135,16 @@ void ParametersPanel::refresh()
         group->refresh();
 }
 
+void ParametersPanel::setScanning(bool scanning)
+{
+    for (const ParameterGroupBox* group : groups_) {
+        for (ParameterField* field : group->fields()) {
+            if (field->key() == "method.estimator" || field->key().starts_with("sensor."))
+                field->setEnabled(!scanning);
+        }
+    }
+}
+
 void ParametersPanel::showParameter(std::string_view key)
 {
     for (ParameterGroupBox* group : groups_) {

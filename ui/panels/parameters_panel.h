@@ -34,6 +34,9 @@ public:
 
     void setPresetKeeper(Keeper keeper) { keeper_ = std::move(keeper); }
 
+    /// While slices come, what cannot change meanwhile is greyed out: the estimator, and what slices are corrected by.
+    void setScanning(bool scanning);
+
     /// Opens the group of a parameter and gives its field the keyboard.
     void showParameter(std::string_view key);
 
