@@ -13,8 +13,14 @@
 namespace planewright {
 
 GlPresenter::GlPresenter(MapScene& scene, std::size_t pointBudget, QWidget* parent)
-    : QOpenGLWidget(parent), scene_(scene), window_(vtkSmartPointer<AnyGlWindow>::New()), pointBudget_(pointBudget)
+    : QOpenGLWidget(parent),
+      scene_(scene),
+      window_(vtkSmartPointer<AnyGlWindow>::New()),
+      partwise_(scene, *window_),
+      pointBudget_(pointBudget)
 {
+    // What is seen stays while the next picture is drawn part by part.
+    setUpdateBehavior(QOpenGLWidget::PartialUpdate);
     QSurfaceFormat wanted = QSurfaceFormat::defaultFormat();
     wanted.setRenderableType(QSurfaceFormat::OpenGL);
     wanted.setVersion(3, 2);
@@ -92,11 +98,17 @@ void GlPresenter::initializeGL()
     window_->SetReadyForRendering(true);
     window_->SetForceMaximumHardwareLineWidth(1);
     window_->OpenGLInitContext();
+    const auto* name = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
+    const QString renderer = QString::fromLatin1(name);
+    isSlow_ = renderer.contains(QLatin1String("llvmpipe")) || renderer.contains(QLatin1String("softpipe"));
+    drawn_ = {};
 }
 
 void GlPresenter::requestPicture(Detail detail)
 {
     detail_ = detail;
+    partwise_.stop();
+    isWhole_ = false;
     update();
 }
 
@@ -124,17 +136,56 @@ void GlPresenter::paintGL()
     if (!window_->isUsable())
         return;
     const QSize size = sizeInPixels();
+    if (isWhole_ && size == drawn_)
+        return;
     vtkOpenGLState* state = window_->GetState();
     state->Reset();
     state->Push();
     state->vtkglDepthFunc(GL_LEQUAL);  // Qt leaves GL_LESS
-    window_->SetSize(size.width(), size.height());
-    scene_.setPixelRatio(devicePixelRatioF());
-    scene_.setPointBudget(detail_ == Detail::Moving ? pointBudget_ : 0);
-    drawScene(scene_, *window_);
-    bindOutput();
+    draw(size);
+    if (partwise_.isRunning())
+        QMetaObject::invokeMethod(
+            this, [this] { update(); }, Qt::QueuedConnection);
+    else
+        bindOutput();
     state->Reset();
     state->Pop();
+}
+
+/// Full detail of many points comes part by part where it would take long; until it is there the picture stays that of
+/// before, or shows a part of the points.
+void GlPresenter::draw(const QSize& size)
+{
+    if (partwise_.isRunning() && size == drawn_) {
+        drawPart();
+        return;
+    }
+    partwise_.stop();
+    window_->SetSize(size.width(), size.height());
+    scene_.setPixelRatio(devicePixelRatioF());
+    scene_.setPointBudget(0);
+    scene_.update();
+    const bool inParts = isSlow_ && detail_ == Detail::Full && scene_.points().points() > 2 * pointBudget_;
+    if (inParts && size == drawn_) {
+        partwise_.begin(2 * pointBudget_);
+        drawPart();
+        return;
+    }
+    drawn_ = size;
+    scene_.setPointBudget(detail_ == Detail::Moving || inParts ? pointBudget_ : 0);
+    drawScene(scene_, *window_);
+    if (inParts)
+        QMetaObject::invokeMethod(
+            this, [this] { update(); }, Qt::QueuedConnection);
+}
+
+void GlPresenter::drawPart()
+{
+    const bool last = partwise_.nextIsLast();
+    if (!last)
+        window_->SetFrameBlitModeToNoBlit();
+    isWhole_ = partwise_.drawNext();
+    window_->SetFrameBlitModeToBlitToCurrent();
 }
 
 QImage GlPresenter::picture(QSize size, double pixelRatio)
@@ -142,6 +193,7 @@ QImage GlPresenter::picture(QSize size, double pixelRatio)
     if (!isValid() || !window_->isUsable())
         return {};
     makeCurrent();
+    partwise_.stop();
     vtkOpenGLState* state = window_->GetState();
     state->Reset();
     state->Push();

@@ -38,11 +38,17 @@ private:
     void cleanUp();
     QSize sizeInPixels() const;
     void bindOutput();
+    void draw(const QSize& size);
+    void drawPart();
 
     MapScene& scene_;
     vtkSmartPointer<AnyGlWindow> window_;
+    PartwiseDrawing partwise_;
     std::size_t pointBudget_;
     Detail detail_ = Detail::Full;
+    bool isSlow_ = false;   ///< OpenGL in software: full detail is drawn part by part
+    bool isWhole_ = false;  ///< what was drawn part by part is what is to be seen
+    QSize drawn_;           ///< size of the picture that is seen [pixels]
     QMetaObject::Connection contextGone_;
 };
 

@@ -49,8 +49,7 @@ void PartwiseDrawing::stop()
     scene_->renderer()->PreserveDepthBufferOff();
 }
 
-/// Points come first, part by part, and all else with the last of them: what is translucent must see what is behind it.
-bool PartwiseDrawing::drawNext()
+std::size_t PartwiseDrawing::endOfNext() const
 {
     const std::vector<vtkActor*> points = scene_->points().parts();
     std::size_t count = 0;
@@ -59,6 +58,19 @@ bool PartwiseDrawing::drawNext()
         count += static_cast<std::size_t>(points[end]->GetMapper()->GetInput()->GetNumberOfPoints());
         ++end;
     }
+    return end;
+}
+
+bool PartwiseDrawing::nextIsLast() const
+{
+    return endOfNext() == scene_->points().parts().size();
+}
+
+/// Points come first, part by part, and all else with the last of them: what is translucent must see what is behind it.
+bool PartwiseDrawing::drawNext()
+{
+    const std::vector<vtkActor*> points = scene_->points().parts();
+    const std::size_t end = endOfNext();
     const bool last = end == points.size();
 
     vtkRenderer* renderer = scene_->renderer();

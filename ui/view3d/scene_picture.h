@@ -30,8 +30,12 @@ public:
     /// Forgets a drawing that is not whole.
     void stop();
     bool isRunning() const { return running_; }
+    /// The picture is whole after the next part.
+    bool nextIsLast() const;
 
 private:
+    std::size_t endOfNext() const;
+
     MapScene* scene_;
     AnyGlWindow* window_;
     bool running_ = false;

@@ -31,6 +31,7 @@ private slots:
     void aNewScanIsFittedUntilSomeoneMovesTheCamera();
     void hoveringNamesThePlane();
     void namedViewsLookWhereTheySay();
+    void atRestAllPointsAreSeen();
 
 private:
     std::shared_ptr<const ShownMap> corridor_;
@@ -238,6 +239,34 @@ void View3dTest::namedViewsLookWhereTheySay()
 
     view_->showNamed(NamedView::Sensor);
     QVERIFY(view_->camera().eye().norm() < 0.5);
+}
+
+/// Whether they are drawn at once, or part by part because they are many for what is drawn while the view moves.
+void View3dTest::atRestAllPointsAreSeen()
+{
+    view_->setPointBudget(10'000);
+    LayerSettings layers;
+    for (LayerStyle& style : layers.styles)
+        style.visible = false;
+    layers[Layer::Points].visible = true;
+    layers.labels = false;
+    view_->setLayers(layers);
+    view_->showNamed(NamedView::Iso);
+    const auto inked = [](const QImage& picture) {
+        const QRgb paper = picture.pixel(2, picture.height() / 2);
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const QRgb pixel = picture.pixel(x, y);
+                count += std::abs(qRed(pixel) - qRed(paper)) + std::abs(qBlue(pixel) - qBlue(paper)) > 60 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    const QImage whole = view_->presenter()->picture(view_->size(), 1.0);
+
+    // What is written over the view is not in it.
+    QTRY_VERIFY(std::abs(inked(view_->presenter()->widget().grab().toImage()) - inked(whole)) < inked(whole) / 100);
 }
 
 }  // namespace planewright
