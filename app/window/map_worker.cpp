@@ -11,6 +11,9 @@ namespace planewright {
 
 namespace {
 
+/// While slices come, the next map shows the new outlines as well: a picture only for them would hold up the others.
+constexpr std::chrono::milliseconds kMoreAfter{100};
+
 std::shared_ptr<ShownMap> withEdits(const MapRequest& request, QStringList& problems)
 {
     auto shown = std::make_shared<ShownMap>();
@@ -36,9 +39,17 @@ std::shared_ptr<ShownMap> withEdits(const MapRequest& request, QStringList& prob
 
 MapWorker::MapWorker(QObject* parent)
     : QObject(parent),
-      outlines_([this] { post([this] { tellMore(); }); }),
+      outlines_([this] {
+          post([this] {
+              if (!more_.isActive())
+                  more_.start();
+          });
+      }),
       thread_([this](const std::stop_token& stop) { run(stop); })
 {
+    more_.setSingleShot(true);
+    more_.setInterval(kMoreAfter);
+    connect(&more_, &QTimer::timeout, this, &MapWorker::showMore);
 }
 
 MapWorker::~MapWorker()
@@ -58,7 +69,7 @@ void MapWorker::show(MapRequest request)
 
 bool MapWorker::isBusy() const
 {
-    if (outlines_.isBusy())
+    if (outlines_.isBusy() || more_.isActive())
         return true;
     const std::lock_guard lock(mutex_);
     return busy_ || posted_ > 0 || next_.has_value();
@@ -106,6 +117,7 @@ void MapWorker::take(std::shared_ptr<ShownMap> map, const QStringList& problems)
         planes.push_back(plane.plane);
     outlines_.want(std::move(planes), map->snapshot);
     fill(*map);
+    more_.stop();
     last_ = std::move(map);
     problems_ = problems;
     emit shown(last_, problems_);
@@ -117,7 +129,7 @@ void MapWorker::fill(ShownMap& map) const
         plane.outline = outlines_.outlineOf(*plane.plane);
 }
 
-void MapWorker::tellMore()
+void MapWorker::showMore()
 {
     if (!last_)
         return;

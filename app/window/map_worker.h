@@ -13,6 +13,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
 
 #include "app/session/session_map.h"
 #include "app/window/outline_maker.h"
@@ -44,7 +45,7 @@ public:
 
     void show(MapRequest request);
 
-    /// True while something is being worked out.
+    /// True while something is being worked out or about to be shown. To be asked in this object's thread.
     bool isBusy() const;
 
 signals:
@@ -58,7 +59,7 @@ private:
     void take(std::shared_ptr<ShownMap> map, const QStringList& problems);
     /// Gives planes the outlines that there are.
     void fill(ShownMap& map) const;
-    void tellMore();
+    void showMore();
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
@@ -68,6 +69,7 @@ private:
 
     std::shared_ptr<const ShownMap> last_;  ///< that was shown
     QStringList problems_;
+    QTimer more_;  ///< there are more outlines than are shown; another map may come first and show them
     OutlineMaker outlines_;
     std::jthread thread_;  // last: it uses all the others
 };
