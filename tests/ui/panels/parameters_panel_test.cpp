@@ -32,6 +32,7 @@ private slots:
     void aPresetThatCouldNotBeKeptSaysWhy();
     void aParameterCanBeShownByItsKey();
     void parametersFromElsewhereAreShown();
+    void whatCannotChangeDuringAScanIsGreyedOut();
 
 private:
     ParameterField* field(const char* key) const { return panel_->findChild<ParameterField*>(key); }
@@ -224,6 +225,18 @@ void ParametersPanelTest::parametersFromElsewhereAreShown()
     model_->setParameters(parameters);
 
     QCOMPARE(edit("schedule.fit-every")->text(), QStringLiteral("9"));
+}
+
+void ParametersPanelTest::whatCannotChangeDuringAScanIsGreyedOut()
+{
+    panel_->setScanning(true);
+
+    QVERIFY(!field("method.estimator")->isEnabled());
+    QVERIFY(!field("sensor.range-offset")->isEnabled());
+    QVERIFY(field("segments.split-distance")->isEnabled());
+
+    panel_->setScanning(false);
+    QVERIFY(field("method.estimator")->isEnabled());
 }
 
 }  // namespace planewright
