@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QObject>
 #include <QThreadPool>
@@ -27,8 +28,8 @@ public:
     template <class Value>
     void start(std::function<Value()> work, std::function<void(Value&)> then)
     {
-        auto value = std::make_shared<std::unique_ptr<Value>>();
-        run([work = std::move(work), value] { *value = std::make_unique<Value>(work()); },
+        auto value = std::make_shared<std::optional<Value>>();
+        run([work = std::move(work), value] { value->emplace(work()); },
             [then = std::move(then), value] { then(**value); });
     }
 

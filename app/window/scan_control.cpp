@@ -152,7 +152,7 @@ void ScanControl::simulate(const SimulationSetup& setup)
     }
     simulation.settings = *settings;
     simulation.noise = *noise;
-    openWith(simulation, QString::fromStdString(addressOf(setup)), true);
+    openRoom(simulation, QString::fromStdString(addressOf(setup)));
 }
 
 void ScanControl::openWith(const SimulatedScanner& simulation, const QString& fileOrAddress, bool starts)

@@ -8,8 +8,7 @@ foreach(label IN ITEMS app architecture core devices threads ui)
 endforeach()
 
 # Every test reads Qt, Eigen and the standard library first: compiled once, not once a test.
-file(WRITE "${PROJECT_BINARY_DIR}/test_headers.cpp.in" "// Compiled to make the headers of the tests.\n")
-configure_file("${PROJECT_BINARY_DIR}/test_headers.cpp.in" "${PROJECT_BINARY_DIR}/test_headers.cpp" COPYONLY)
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/test_headers.cpp" CONTENT "// Compiled to make the headers of the tests.\n")
 add_library(test_headers OBJECT "${PROJECT_BINARY_DIR}/test_headers.cpp")
 target_link_libraries(test_headers PRIVATE Qt6::Core Eigen3::Eigen project_options)
 target_precompile_headers(test_headers PRIVATE <QtCore> <Eigen/Geometry> <functional> <map> <optional> <sstream> <string> <vector>)
@@ -33,7 +32,7 @@ function(planewright_test target)
                                 PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     # The same false alarm as that of -Wrestrict, which a precompiled <string> brings under other names too.
     target_compile_options(${target} PRIVATE
-        $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-stringop-overflow>)
+        "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-stringop-overflow>")
     add_test(NAME ${target} COMMAND ${target})
     planewright_isolate_test(${target})
 

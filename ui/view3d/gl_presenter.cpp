@@ -102,6 +102,7 @@ void GlPresenter::initializeGL()
     const QString renderer = QString::fromLatin1(name);
     isSlow_ = renderer.contains(QLatin1String("llvmpipe")) || renderer.contains(QLatin1String("softpipe"));
     drawn_ = {};
+    useSamples();
 }
 
 void GlPresenter::requestPicture(Detail detail)
@@ -114,9 +115,16 @@ void GlPresenter::requestPicture(Detail detail)
 
 void GlPresenter::setSmoothEdges(bool smooth)
 {
+    isSmooth_ = smooth;
+    useSamples();
+    requestPicture(Detail::Full);
+}
+
+/// Several samples a pixel would take two or three times as long in software.
+void GlPresenter::useSamples()
+{
     constexpr int kSamples = 4;
-    window_->SetMultiSamples(smooth ? kSamples : 0);
-    update();
+    window_->SetMultiSamples(isSmooth_ && !isSlow_ ? kSamples : 0);
 }
 
 /// Puts what VTK drew where Qt shows it, opaque.

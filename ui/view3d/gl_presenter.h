@@ -38,6 +38,7 @@ private:
     void cleanUp();
     QSize sizeInPixels() const;
     void bindOutput();
+    void useSamples();
     void draw(const QSize& size);
     void drawPart();
 
@@ -46,6 +47,7 @@ private:
     PartwiseDrawing partwise_;
     std::size_t pointBudget_;
     Detail detail_ = Detail::Full;
+    bool isSmooth_ = false;
     bool isSlow_ = false;   ///< OpenGL in software: full detail is drawn part by part
     bool isWhole_ = false;  ///< what was drawn part by part is what is to be seen
     QSize drawn_;           ///< size of the picture that is seen [pixels]
