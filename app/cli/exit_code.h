@@ -15,6 +15,8 @@ enum class ExitCode {
     Unreadable = 3,  ///< an input that cannot be read or is malformed; nothing was written
     Damaged = 4,     ///< an input was cut short; its valid part was processed and written
     NotWritten = 5,  ///< an output could not be written
+    NoDevice = 6,    ///< a device was not found, not permitted, or not what was expected
+    DeviceLost = 7,  ///< a device was lost during the scan; what was recorded is valid
     GateFailed = 8,  ///< the work was done, its result is worse than allowed
     NoRenderer = 9,  ///< nothing here can draw
     Interrupted = 130,
@@ -34,6 +36,10 @@ constexpr ExitCode exitCodeOf(ErrorCode code)
             return ExitCode::GateFailed;
         case ErrorCode::NoRenderer:
             return ExitCode::NoRenderer;
+        case ErrorCode::NoDevice:
+            return ExitCode::NoDevice;
+        case ErrorCode::DeviceLost:
+            return ExitCode::DeviceLost;
         case ErrorCode::Interrupted:
             return ExitCode::Interrupted;
         case ErrorCode::Internal:

@@ -17,6 +17,8 @@ enum class ErrorCode {
     NotWritten,   ///< an output that could not be written; what stood there before is untouched
     GateFailed,   ///< the work was done and its result is worse than the caller allowed
     NoRenderer,   ///< nothing here can draw
+    NoDevice,     ///< a device that is not there, may not be opened, or is not what was expected
+    DeviceLost,   ///< a device that was there and is gone, or does not answer any more
     Interrupted,  ///< the user asked to stop
 };
 

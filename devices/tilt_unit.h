@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "core/types/error.h"
+#include "devices/laser.h"
+
+namespace planewright {
+
+/// How a tilt unit is mounted, and what it may do: values of a calibration, never guessed.
+struct TiltMounting {
+    double zeroPitch = 0.0;  ///< pitch φ at the unit's middle position [rad]
+    double sign = 1.0;       ///< +1 or −1: whether φ grows with the unit's counts
+    double scale = 1.0;      ///< true angle over the one that the counts stand for
+    double lowest = 0.0;     ///< soft limits of φ [rad]
+    double highest = 0.0;
+    double fastest = 0.0;  ///< speed limit [rad/s]
+};
+
+/// Where a tilt unit was, measured.
+struct TiltSample {
+    std::chrono::nanoseconds at{0};  ///< moment of the measurement, host clock
+    double pitch = 0.0;              ///< φ [rad]
+    bool moving = false;
+};
+
+/// What a device panel shows of a motor.
+struct MotorState {
+    double load = 0.0;                  ///< of the most it can, −1 to 1
+    double voltage = 0.0;               ///< [V]
+    std::optional<double> temperature;  ///< [°C]
+    std::string trouble;                ///< empty, or a line about what is wrong now
+};
+
+/// What tilts the laser. One thread calls it, except hold(), health() and motor(), which any thread may call at any
+/// time.
+class TiltUnit {
+public:
+    virtual ~TiltUnit() = default;
+
+    /// Finds it and looks whether it may be moved; moves nothing.
+    ///
+    /// Errors (NoDevice): nothing answers, or what answers must not be moved (wheel mode, two units of the same
+    /// number), with what to do; Interrupted: a stop.
+    virtual Result<void> connect(const std::stop_token& stop) = 0;
+
+    /// "RX-64, number 1, firmware 24".
+    virtual std::string identity() const = 0;
+
+    /// The smallest step of φ [rad].
+    virtual double resolution() const = 0;
+    /// φ that it can and may take [rad].
+    virtual double lowest() const = 0;
+    virtual double highest() const = 0;
+    /// The largest speed that it may have [rad/s].
+    virtual double fastest() const = 0;
+
+    /// Allows motion: nothing moves before. Takes back a hold().
+    virtual Result<void> arm(const std::stop_token& stop) = 0;
+
+    /// Begins to go to φ [rad] at a speed [rad/s]; returns when the unit has accepted. Errors (Usage): beyond a limit;
+    /// DeviceLost: no answer, or the unit reports a fault (Error's text names it); Interrupted: held.
+    virtual Result<void> moveTo(double pitch, double speed) = 0;
+
+    /// φ that it really goes to for a wanted one: the nearest of its steps [rad].
+    virtual double nearestPitch(double pitch) const = 0;
+
+    /// The next measured angle: one round trip, or the next that the unit sends by itself. Empty at the deadline.
+    virtual Result<std::optional<TiltSample>> sample(std::chrono::nanoseconds deadline,
+                                                     const std::stop_token& stop) = 0;
+
+    /// Stops where it is and holds; refuses every motion until arm(). Within one round trip.
+    virtual Result<void> hold() = 0;
+
+    virtual LinkHealth health() const = 0;
+    virtual MotorState motor() const = 0;
+};
+
+}  // namespace planewright
