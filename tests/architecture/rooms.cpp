@@ -45,7 +45,9 @@ std::span<const Room> rooms()
          kNumbers + Names{"sqlite3.h", "zlib.h", "nlohmann/", "dime/"}},
         {"core/evaluation", {"core/types", "core/params", "core/geometry"}, kNumbers},
 
-        {"devices/transport", {"core/types"}, kNumbers + Names{"libusb", "Qt", "QSerialPort", "QTcp"}},
+        {"devices/transport",
+         {"core/types", "devices/clock.h"},
+         kNumbers + Names{"libusb", "Qt", "QSerialPort", "QTcp"}},
         {"devices/emulated", {"core/types", "core/simulation", "devices", "devices/transport"}, kNumbers + Names{"Qt"}},
         {"devices/replay", {"core/types", "core/formats", "devices"}, kNumbers},
         {"devices", {"core/types", "devices/transport"}, kNumbers},
