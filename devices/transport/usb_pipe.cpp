@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kTransferSize = 16 * 1024;  // of whole packets, whatever their size
 constexpr int kMostStalls = 3;
+constexpr std::chrono::nanoseconds kFetchAfter = std::chrono::milliseconds{50};
 
 }  // namespace
 
@@ -91,7 +92,18 @@ UsbPipe::~UsbPipe()
 Result<Transport::Arrival> UsbPipe::read(std::span<std::uint8_t> into, std::chrono::nanoseconds deadline,
                                          const std::stop_token& stop)
 {
-    return queue_.read(into, deadline, stop);
+    for (;;) {
+        auto arrival = queue_.read(into, std::min(deadline, nextFetch_), stop);
+        const std::chrono::nanoseconds now = clock_.now();
+        if (!arrival)
+            return arrival;
+        if (arrival->count == 0 && now >= nextFetch_)
+            fetchOldest();
+        if (arrival->count > 0 || now >= nextFetch_)
+            nextFetch_ = now + kFetchAfter;
+        if (arrival->count > 0 || now >= deadline || stop.stop_requested())
+            return arrival;
+    }
 }
 
 Result<void> UsbPipe::write(std::span<const std::uint8_t> bytes, std::chrono::nanoseconds deadline)
@@ -179,6 +191,7 @@ void UsbPipe::submitAll()
             continue;
         if (const int status = libusb_submit_transfer(incoming.transfer); status != LIBUSB_SUCCESS)
             return failed(status);
+        incoming.number = ++submitted_;
         incoming.isInFlight = true;
         ++inFlight_;
     }
@@ -192,6 +205,18 @@ void UsbPipe::cancelAll()
     }
     if (isSending_ && isClosing_)
         libusb_cancel_transfer(outgoing_);
+}
+
+void UsbPipe::fetchOldest()
+{
+    const std::scoped_lock lock(mutex_);
+    Incoming* oldest = nullptr;
+    for (Incoming& incoming : incoming_) {
+        if (incoming.isInFlight && (oldest == nullptr || incoming.number < oldest->number))
+            oldest = &incoming;
+    }
+    if (oldest != nullptr && !isClosing_)
+        libusb_cancel_transfer(oldest->transfer);
 }
 
 void UsbPipe::arrived(Incoming& incoming)

@@ -28,8 +28,10 @@ namespace planewright {
 /// The bulk endpoints of a USB device as a transport: what CDC-ACM and FTDI have in common.
 ///
 /// Eight transfers wait for bytes at all times, so that none is late while another is handed on. Where a transfer ends
-/// means nothing. An endpoint that stalls is freed up to three times in a row; whatever tells first that the device is
-/// gone, a transfer or the system, ends the link, once.
+/// means nothing: one that has got bytes but no end of them, since a device sent whole packets and no empty one after
+/// them, is fetched when the reader has waited for 50 ms; such bytes bear that time. An endpoint that stalls is freed
+/// up to three times in a row; whatever tells first that the device is gone, a transfer or the system, ends the link,
+/// once.
 class UsbPipe : public Transport {
 public:
     /// Sees the bytes of each transfer on the event thread, and gives how many are for the reader, moved to the front.
@@ -59,6 +61,7 @@ private:
         UsbPipe* pipe = nullptr;
         libusb_transfer* transfer = nullptr;
         std::vector<std::uint8_t> buffer;
+        std::uint64_t number = 0;  ///< in the order in which they were submitted, and come back
         bool isInFlight = false;
     };
     /// How a transfer out came back.
@@ -74,6 +77,7 @@ private:
     Result<void> receive();
     void submitAll();
     void cancelAll();
+    void fetchOldest();
     void arrived(Incoming& incoming);
     void stalled(const char* what);
     void failed(int error);
@@ -86,11 +90,13 @@ private:
     Filter filter_;
     ByteQueue queue_;
     std::unique_ptr<UsbHandle> handle_;
+    std::chrono::nanoseconds nextFetch_{0};  // of the reader
 
     std::mutex writing_;  ///< one transfer goes out at a time
     std::mutex mutex_;
     std::condition_variable_any changed_;
     std::array<Incoming, 8> incoming_;
+    std::uint64_t submitted_ = 0;
     int inFlight_ = 0;
     int stallsInARow_ = 0;
     bool isStalled_ = false;  ///< transfers come home, and then the endpoint is freed

@@ -124,11 +124,19 @@ struct Socket {
     }
 };
 
+/// umockdev's testbed takes a tenth of a second to end: all tests of a program have the same, and leave it empty.
+UMockdevTestbed* sharedTestbed()
+{
+    static const std::unique_ptr<UMockdevTestbed, void (*)(UMockdevTestbed*)> testbed{
+        umockdev_testbed_new(), [](UMockdevTestbed* each) { g_object_unref(each); }};
+    return testbed.get();
+}
+
 }  // namespace
 
 class EmulatedUsb::Testbed {
 public:
-    UMockdevTestbed* testbed = umockdev_testbed_new();
+    UMockdevTestbed* testbed = sharedTestbed();
     std::vector<std::unique_ptr<Socket>> sockets;
     int nextAddress = kFirstAddress;
     std::atomic<long> requests{0};
@@ -180,10 +188,14 @@ std::string describe(const std::string& sysfs, int address, const UsbModel& mode
     return text + "\n";
 }
 
-std::string describeInterface(const std::string& sysfs, int number, const std::string& driver)
+std::string interfaceOf(const std::string& sysfs, std::size_t number)
 {
-    std::string text = "P: " + sysfs + sysfs.substr(sysfs.rfind('/')) + ":1." + std::to_string(number) +
-                       "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\n";
+    return sysfs + sysfs.substr(sysfs.rfind('/')) + ":1." + std::to_string(number);
+}
+
+std::string describeInterface(const std::string& sysfs, std::size_t number, const std::string& driver)
+{
+    std::string text = "P: " + interfaceOf(sysfs, number) + "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\n";
     if (!driver.empty())
         text += "L: driver=../../../../bus/usb/drivers/" + driver + "\n";
     return text + "\n";
@@ -195,19 +207,25 @@ EmulatedUsb::EmulatedUsb() : testbed_(std::make_unique<Testbed>())
 {
     // A terminal that hangs up may be the controlling one of this process.
     std::signal(SIGHUP, SIG_IGN);
-    UsbModel hub;
-    hub.device = {18, 1, 0x00, 0x02, 9, 0, 1, 64, 0x6B, 0x1D, 0x02, 0x00, 0x01, 0x06, 0, 0, 0, 1};
-    hub.configuration = {9, 2, 25, 0, 1, 1, 0, 0xE0, 0, 9, 4, 0, 0, 1, 9, 0, 0, 0, 7, 5, 0x81, 3, 4, 0, 12};
-    testbed_->add(describe("/devices/usb1", 1, hub));
+    static const bool hasHub = [this] {
+        UsbModel hub;
+        hub.device = {18, 1, 0x00, 0x02, 9, 0, 1, 64, 0x6B, 0x1D, 0x02, 0x00, 0x01, 0x06, 0, 0, 0, 1};
+        hub.configuration = {9, 2, 25, 0, 1, 1, 0, 0xE0, 0, 9, 4, 0, 0, 1, 9, 0, 0, 0, 7, 5, 0x81, 3, 4, 0, 12};
+        testbed_->add(describe("/devices/usb1", 1, hub));
+        return true;
+    }();
+    require(hasHub, "no hub");
 }
 
 EmulatedUsb::~EmulatedUsb()
 {
-    for (const auto& socket : testbed_->sockets)
+    for (const auto& socket : testbed_->sockets) {
+        if (socket->isPlugged)
+            unplug(socket->device);
         socket->device->plugIn({});  // its node goes
-    g_object_unref(testbed_->testbed);
-    for (const auto& socket : testbed_->sockets)
+        g_signal_handlers_disconnect_by_data(socket->handler, socket.get());
         g_object_unref(socket->handler);
+    }
 }
 
 std::shared_ptr<EmulatedUsbDevice> EmulatedUsb::plug(const UsbModel& model, int port)
@@ -237,7 +255,7 @@ void EmulatedUsb::plugAgain(const std::shared_ptr<EmulatedUsbDevice>& device, in
     socket.sysfs = "/sys" + sysfs;
     std::string description = describe(sysfs, socket.address, model);
     for (std::size_t i = 0; i < model.drivers.size(); ++i)
-        description += describeInterface(sysfs, static_cast<int>(i), model.drivers[i]);
+        description += describeInterface(sysfs, i, model.drivers[i]);
     testbed_->add(description);
 }
 
@@ -253,6 +271,8 @@ void EmulatedUsb::unplug(const std::shared_ptr<EmulatedUsbDevice>& device, Unplu
         tell();
     socket.isPlugged = false;
     umockdev_testbed_detach_ioctl(testbed_->testbed, socket.devnode.c_str(), nullptr);
+    for (std::size_t i = 0; i < device->model().drivers.size(); ++i)
+        umockdev_testbed_remove_device(testbed_->testbed, interfaceOf(socket.sysfs, i).c_str());
     umockdev_testbed_remove_device(testbed_->testbed, socket.sysfs.c_str());
     std::filesystem::remove(testbed_->inside(socket.devnode));
 }

@@ -118,10 +118,16 @@ void EmulatedUsbDevice::occupy()
     std::fill(drivers_.begin(), drivers_.end(), "usbfs");
 }
 
-int EmulatedUsbDevice::transfersWaiting() const
+int EmulatedUsbDevice::transfersIn() const
 {
     const std::scoped_lock lock(mutex_);
     return static_cast<int>(waitingIn_.size());
+}
+
+int EmulatedUsbDevice::transfersOut() const
+{
+    const std::scoped_lock lock(mutex_);
+    return static_cast<int>(waitingOut_.size());
 }
 
 int EmulatedUsbDevice::freedIn() const
@@ -427,6 +433,10 @@ void EmulatedUsbDevice::moveIn()
             continue;
         finish(first, isTooLong ? -EOVERFLOW : 0);
         waitingIn_.pop_front();
+        if (isTooLong) {  // host controllers halt the endpoint as they do after a stall
+            isHaltedIn_ = true;
+            ++stallsIn_;
+        }
     }
 }
 

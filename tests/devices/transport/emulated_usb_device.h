@@ -67,10 +67,11 @@ public:
 
     // --- what a test can see of the host ---------------------------------------------------------------------------
 
-    int transfersWaiting() const;  ///< transfers for bytes to the host that are under way
-    int freedIn() const;           ///< how often the host has freed the endpoint to it
-    int closedInFlight() const;    ///< how often it was closed with transfers under way, which is a fault
-    std::size_t unread() const;    ///< packets that the host has not fetched
+    int transfersIn() const;     ///< transfers for bytes to the host that are under way
+    int transfersOut() const;    ///< and from the host
+    int freedIn() const;         ///< how often the host has freed the endpoint to it
+    int closedInFlight() const;  ///< how often it was closed with transfers under way, which is a fault
+    std::size_t unread() const;  ///< packets that the host has not fetched
     bool isClaimed(int interface) const;
     /// Interfaces in the order in which they were given back.
     std::vector<int> released() const;

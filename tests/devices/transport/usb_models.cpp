@@ -3,6 +3,7 @@
 
 #include "tests/devices/transport/usb_models.h"
 
+#include <algorithm>
 #include <initializer_list>
 
 namespace planewright {
@@ -97,7 +98,7 @@ UsbModel cdcModel(const CdcVariant& variant)
     model.packetSize = variant.packetSize;
     model.in = variant.in;
     model.out = variant.out;
-    model.drivers = {"cdc_acm", "cdc_acm"};
+    model.drivers.resize(std::size_t{std::max(variant.controlInterface, variant.dataInterface)} + 1, "cdc_acm");
     return model;
 }
 
