@@ -102,6 +102,7 @@ struct Socket {
     UMockdevIoctlBase* handler = nullptr;
     std::atomic<long>* requests = nullptr;
     bool isPlugged = true;
+    bool isAttached = false;  ///< to the node, longer than it is plugged in: somebody may be about to open it
 
     static gboolean requested(UMockdevIoctlBase* /*handler*/, UMockdevIoctlClient* client, Socket* self)
     {
@@ -155,6 +156,12 @@ public:
         GError* error = nullptr;
         if (umockdev_testbed_add_from_string(testbed, description.c_str(), &error) == FALSE)
             throw std::runtime_error(error->message);
+    }
+
+    void detach(Socket& socket) const
+    {
+        if (std::exchange(socket.isAttached, false))
+            umockdev_testbed_detach_ioctl(testbed, socket.devnode.c_str(), nullptr);
     }
 
     /// Where the testbed keeps what programs see as a path.
@@ -222,6 +229,7 @@ EmulatedUsb::~EmulatedUsb()
     for (const auto& socket : testbed_->sockets) {
         if (socket->isPlugged)
             unplug(socket->device);
+        testbed_->detach(*socket);
         socket->device->plugIn({});  // its node goes
         g_signal_handlers_disconnect_by_data(socket->handler, socket.get());
         g_object_unref(socket->handler);
@@ -246,10 +254,15 @@ void EmulatedUsb::plugAgain(const std::shared_ptr<EmulatedUsbDevice>& device, in
     socket.devnode = devnodeOf(socket.address);
     socket.node = std::make_unique<Node>(testbed_->inside(socket.devnode), model.mayOpen);
     device->plugIn([node = socket.node.get()](bool isReady) { node->ready(isReady); });
+    for (const auto& before : testbed_->sockets) {
+        if (before->devnode == socket.devnode)
+            testbed_->detach(*before);
+    }
     socket.handler = umockdev_ioctl_base_new();
     g_signal_connect(socket.handler, "handle-ioctl", G_CALLBACK(&Socket::requested), &socket);
     g_signal_connect(socket.handler, "client-connected", G_CALLBACK(&Socket::opened), &socket);
     umockdev_testbed_attach_ioctl(testbed_->testbed, socket.devnode.c_str(), socket.handler, nullptr);
+    socket.isAttached = true;
 
     const std::string sysfs = "/devices/usb1/1-" + std::to_string(port);
     socket.sysfs = "/sys" + sysfs;
@@ -270,7 +283,6 @@ void EmulatedUsb::unplug(const std::shared_ptr<EmulatedUsbDevice>& device, Unplu
     if (order == Unplugging::TransfersFirst)
         tell();
     socket.isPlugged = false;
-    umockdev_testbed_detach_ioctl(testbed_->testbed, socket.devnode.c_str(), nullptr);
     for (std::size_t i = 0; i < device->model().drivers.size(); ++i)
         umockdev_testbed_remove_device(testbed_->testbed, interfaceOf(socket.sysfs, i).c_str());
     umockdev_testbed_remove_device(testbed_->testbed, socket.sysfs.c_str());

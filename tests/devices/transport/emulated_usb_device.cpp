@@ -112,10 +112,10 @@ void EmulatedUsbDevice::leaveSettingsUnanswered()
     answersSettings_ = false;
 }
 
-void EmulatedUsbDevice::occupy()
+void EmulatedUsbDevice::keep(int interface)
 {
     const std::scoped_lock lock(mutex_);
-    std::fill(drivers_.begin(), drivers_.end(), "usbfs");
+    kept_.insert(interface);
 }
 
 int EmulatedUsbDevice::transfersIn() const
@@ -373,7 +373,7 @@ EmulatedUsbDevice::Answer EmulatedUsbDevice::claim(const void* opener, int inter
         return refusal(EINVAL);
     std::string& driver = drivers_[static_cast<std::size_t>(interface)];
     const bool isTaken = claims_.contains(interface) && claims_.at(interface) != opener;
-    if (isTaken || driver == "usbfs" || (!driver.empty() && !withDriver))
+    if (isTaken || driver == "usbfs" || (!driver.empty() && (!withDriver || kept_.contains(interface))))
         return refusal(EBUSY);
     driver.clear();
     claims_[interface] = opener;

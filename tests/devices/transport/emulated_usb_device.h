@@ -62,8 +62,8 @@ public:
     void refuse(std::uint8_t request);
     void leaveSettingsUnanswered();
 
-    /// Another program has the interfaces.
-    void occupy();
+    /// The kernel's driver does not give up an interface from now on.
+    void keep(int interface);
 
     // --- what a test can see of the host ---------------------------------------------------------------------------
 
@@ -137,6 +137,7 @@ private:
     std::vector<Setting> settings_;
 
     std::vector<std::string> drivers_;
+    std::set<int> kept_;
     std::map<int, const void*> claims_;
     std::vector<int> released_;
     int freedIn_ = 0;
