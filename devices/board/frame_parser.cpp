@@ -26,8 +26,10 @@ std::vector<Frame> FrameParser::push(std::span<const std::uint8_t> bytes)
             endFrame(frames);
         else if (pending_.size() < kMaxFrame)
             pending_.push_back(byte);
-        else
+        else {
             isTooLong_ = true;
+            ++counters_.lostBytes;
+        }
     }
     return frames;
 }
@@ -35,35 +37,38 @@ std::vector<Frame> FrameParser::push(std::span<const std::uint8_t> bytes)
 void FrameParser::endFrame(std::vector<Frame>& frames)
 {
     const std::vector<std::uint8_t> bytes = std::exchange(pending_, {});
-    if (std::exchange(isTooLong_, false)) {
-        ++counters_.length;
-        return;
-    }
+    if (std::exchange(isTooLong_, false))
+        return throwAway(Damage::Length, bytes.size());
     if (bytes.empty())
         return;  // a sender may begin with a 0x00 to end what came before
     tl::expected<Frame, Damage> frame = decodeFrame(bytes);
-    if (!frame) {
-        switch (frame.error()) {
-            case Damage::Cobs:
-                ++counters_.cobs;
-                return;
-            case Damage::Length:
-                ++counters_.length;
-                return;
-            case Damage::Crc:
-                ++counters_.crc;
-                return;
-            case Damage::Version:
-                ++counters_.version;
-                return;
-        }
-    }
+    if (!frame)
+        return throwAway(frame.error(), bytes.size());
     if (frame->isEvent() && !countEvent(*frame))
         return;
     if (frame->type == HelloReply::kType)
         nextEvent_ = kFirstEvent;
     ++counters_.frames;
     frames.push_back(std::move(*frame));
+}
+
+void FrameParser::throwAway(Damage damage, std::size_t bytes)
+{
+    counters_.lostBytes += bytes;
+    switch (damage) {
+        case Damage::Cobs:
+            ++counters_.cobs;
+            break;
+        case Damage::Length:
+            ++counters_.length;
+            break;
+        case Damage::Crc:
+            ++counters_.crc;
+            break;
+        case Damage::Version:
+            ++counters_.version;
+            break;
+    }
 }
 
 bool FrameParser::countEvent(const Frame& frame)

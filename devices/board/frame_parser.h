@@ -18,11 +18,12 @@ class FrameParser {
 public:
     /// What has come since it was made.
     struct Counters {
-        std::uint64_t frames = 0;   ///< undamaged, those that were repeated not counted
-        std::uint64_t cobs = 0;     ///< not stuffed as they must be
-        std::uint64_t length = 0;   ///< too long, or not as long as they say
-        std::uint64_t crc = 0;      ///< wrong checksum
-        std::uint64_t version = 0;  ///< of another version of the protocol
+        std::uint64_t frames = 0;     ///< undamaged, those that were repeated not counted
+        std::uint64_t cobs = 0;       ///< not stuffed as they must be
+        std::uint64_t length = 0;     ///< too long, or not as long as they say
+        std::uint64_t crc = 0;        ///< wrong checksum
+        std::uint64_t version = 0;    ///< of another version of the protocol
+        std::uint64_t lostBytes = 0;  ///< of all that was thrown away for these
         std::uint64_t lostEvents = 0;
         std::uint64_t repeatedEvents = 0;
 
@@ -36,6 +37,7 @@ public:
 
 private:
     void endFrame(std::vector<Frame>& frames);
+    void throwAway(Damage damage, std::size_t bytes);
     /// False for an event that has been there.
     bool countEvent(const Frame& frame);
 

@@ -200,6 +200,7 @@ void BoardFrameTest::whatIsTooLongIsThrownAwayUpToTheNextZero()
     QVERIFY(parser.push(endless).empty());
     QVERIFY(parser.push(end).empty());
     QCOMPARE(parser.counters().length, std::uint64_t(1));
+    QCOMPARE(parser.counters().lostBytes, std::uint64_t(1'000'000));
 
     QCOMPARE(parser.push(encodeFrame(toFrame(1, Hello{}))).size(), std::size_t(1));
 }
