@@ -52,6 +52,11 @@ public:
     std::optional<Time> nextOutput() const override;
     bool isConnected(Time now) override;
 
+    /// One turn of its mirror.
+    Time period() const { return limits_.period; }
+    /// Turns of the mirror since it first streamed; 0 before.
+    int turns(Time now) const { return numberOf(turnFrom(now)); }
+
 private:
     struct Fault {
         std::string kind;

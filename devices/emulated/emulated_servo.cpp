@@ -23,7 +23,8 @@ constexpr std::chrono::nanoseconds kPowerLoss = 1s;
 }  // namespace
 
 Result<std::shared_ptr<EmulatedServo>> EmulatedServo::make(const EmulatedServoSettings& settings,
-                                                           std::span<const FaultAt> faults, std::function<int()> turns)
+                                                           std::span<const FaultAt> faults,
+                                                           std::function<int(std::chrono::nanoseconds)> turns)
 {
     Result<std::vector<ServoFaultAt>> read = readServoFaults(faults);
     if (!read)
@@ -43,7 +44,7 @@ Result<std::shared_ptr<EmulatedServo>> EmulatedServo::make(const EmulatedServoSe
 }
 
 EmulatedServo::EmulatedServo(const EmulatedServoKind& kind, EmulatedServoSettings settings,
-                             std::vector<ServoFaultAt> faults, std::function<int()> turns)
+                             std::vector<ServoFaultAt> faults, std::function<int(std::chrono::nanoseconds)> turns)
     : kind_(kind),
       settings_(std::move(settings)),
       turns_(std::move(turns)),
@@ -129,7 +130,7 @@ void EmulatedServo::advance(Time now)
 
 void EmulatedServo::bringFaults(Time now)
 {
-    const int turn = turns_ ? turns_() : 0;
+    const int turn = turns_ ? turns_(now) : 0;
     std::vector<ServoFaultAt> due;
     std::erase_if(waiting_, [&](const ServoFaultAt& fault) {
         const bool isDue = fault.step <= turn;

@@ -46,7 +46,7 @@ public:
     /// cannot reach.
     static Result<std::shared_ptr<EmulatedServo>> make(const EmulatedServoSettings& settings,
                                                        std::span<const FaultAt> faults = {},
-                                                       std::function<int()> turns = {});
+                                                       std::function<int(std::chrono::nanoseconds)> turns = {});
 
     void receive(std::span<const std::uint8_t> bytes, std::chrono::nanoseconds now) override;
     std::vector<EmulatedOutput> takeOutput(std::chrono::nanoseconds now) override;
@@ -67,7 +67,7 @@ private:
     };
 
     EmulatedServo(const EmulatedServoKind& kind, EmulatedServoSettings settings, std::vector<ServoFaultAt> faults,
-                  std::function<int()> turns);
+                  std::function<int(std::chrono::nanoseconds)> turns);
 
     void advance(Time now);
     void bringFaults(Time now);
@@ -91,7 +91,7 @@ private:
 
     const EmulatedServoKind& kind_;
     EmulatedServoSettings settings_;
-    std::function<int()> turns_;
+    std::function<int(std::chrono::nanoseconds)> turns_;
     std::vector<ServoFaultAt> waiting_;
     std::map<ServoFault, Time> active_;
     std::mt19937_64 random_;

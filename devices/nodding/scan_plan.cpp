@@ -79,7 +79,7 @@ Result<FittedPlan> fitPlan(const ScanPlan& plan, const LaserLimits& laser, const
     } else {
         const double speed = std::min(plan.travelSpeed, unit.fastest());
         const std::chrono::duration<double> move{std::abs(plan.pitchStep) / speed};
-        fitted.time = (move + plan.settle + turn) * plan.slices;
+        fitted.time = std::ceil((move + plan.settle + turn) / turn - 1e-9) * turn * plan.slices;
     }
     return fitted;
 }

@@ -46,8 +46,9 @@ struct FittedPlan {
 /// Fits a plan to what a laser sees and a tilt unit may do.
 ///
 /// The time is the least that the settings allow: a turn of the mirror for each slice; in StepAndStare the move between
-/// two steps at the travel speed, the rest, and a turn. Errors (Usage): a number of slices or a step that is no such
-/// thing, bearings or pitches out of reach (with what is in reach), a sweep faster than the unit may.
+/// two steps at the travel speed, the rest, and a turn, rounded up to whole turns, since the mirror waits for nobody.
+/// Errors (Usage): a number of slices or a step that is no such thing, bearings or pitches out of reach (with what is
+/// in reach), a sweep faster than the unit may.
 Result<FittedPlan> fitPlan(const ScanPlan& plan, const LaserLimits& laser, const TiltUnit& unit);
 
 }  // namespace planewright

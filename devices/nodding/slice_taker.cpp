@@ -132,10 +132,18 @@ bool SliceTaker::isAsTold(const ScanSlice& slice, Time duration) const
 
 std::optional<ScanSlice> SliceTaker::takeResting(LaserScan scan, const TiltTrack& track)
 {
-    const auto since = track.restsSince(goal().pitch, tolerance(), kSamplesOfRest);
+    const auto since = restsSince(goal().pitch, track);
     if (!since || scan.first < *since + plan_.settle)
         return std::nullopt;
     return maker_.make(std::move(scan), track, next_, plan_.pitch(next_));
+}
+
+/// A head that swings or creeps by one count about where it stands rests.
+std::optional<SliceTaker::Time> SliceTaker::restsSince(double pitch, const TiltTrack& track) const
+{
+    if (track.isEmpty() || std::abs(track.last().pitch - pitch) > tolerance())
+        return std::nullopt;
+    return track.restsSince(1.01 * head_.resolution, kSamplesOfRest);
 }
 
 bool SliceTaker::getsOn(const TiltTrack& track, Time now) const

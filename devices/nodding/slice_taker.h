@@ -42,8 +42,8 @@ public:
     /// Slice to be taken next, and whether there is one.
     int next() const { return next_; }
     bool isDone() const { return next_ >= plan_.slices; }
-    /// Farthest from a commanded angle that counts as there [rad].
-    double tolerance() const { return 2.5 * head_.resolution; }
+    /// Since when the head rests near an angle [rad]; empty where it does not.
+    std::optional<Time> restsSince(double pitch, const TiltTrack& track) const;
     Time largestSkew() const { return maker_.largestSkew(); }
 
     /// Where the head has to be before the next slice, and how fast it may travel there: where a sweep begins it has
@@ -70,6 +70,8 @@ private:
     bool isSweep() const { return plan_.mode == ScanPlan::Mode::Continuous; }
     double direction() const { return plan_.pitchStep < 0.0 ? -1.0 : 1.0; }
     double within(double pitch) const;
+    /// Farthest from a commanded angle that counts as there [rad].
+    double tolerance() const { return 2.5 * head_.resolution; }
     std::optional<int> stepOf(const LaserScan& scan, const TiltTrack& track);
     std::optional<ScanSlice> takeSwept(LaserScan scan, const TiltTrack& track);
     std::optional<ScanSlice> takeResting(LaserScan scan, const TiltTrack& track);

@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::chrono::seconds kKept{3};
 
-bool rests(const TiltSample& sample, double pitch, double tolerance)
-{
-    return !sample.moving && std::abs(sample.pitch - pitch) <= tolerance;
-}
-
 }  // namespace
 
 void TiltTrack::add(const TiltSample& sample)
@@ -68,28 +63,14 @@ TiltTrack::Place TiltTrack::firstFrom(Time moment) const
                             [](const TiltSample& sample, Time t) { return sample.at < t; });
 }
 
-bool TiltTrack::isAt(double pitch, double tolerance, Time from, Time to) const
+std::optional<TiltTrack::Time> TiltTrack::restsSince(double play, int least) const
 {
-    if (samples_.empty() || samples_.back().at < to || samples_.front().at > from)
-        return false;
-    const auto after = std::upper_bound(samples_.begin(), samples_.end(), from,
-                                        [](Time t, const TiltSample& sample) { return t < sample.at; });
-    for (auto sample = std::prev(after); sample != samples_.end(); ++sample) {
-        if (!rests(*sample, pitch, tolerance))
-            return false;
-        if (sample->at >= to)
-            break;
-    }
-    return true;
-}
-
-std::optional<TiltTrack::Time> TiltTrack::restsSince(double pitch, double tolerance, int least) const
-{
-    const auto moving = std::find_if(samples_.rbegin(), samples_.rend(),
-                                     [&](const TiltSample& sample) { return !rests(sample, pitch, tolerance); });
-    if (std::distance(samples_.rbegin(), moving) < least)
+    const auto other = std::find_if(samples_.rbegin(), samples_.rend(), [&](const TiltSample& sample) {
+        return std::abs(sample.pitch - last().pitch) > play;
+    });
+    if (std::distance(samples_.rbegin(), other) < least)
         return std::nullopt;
-    return moving.base()->at;
+    return other.base()->at;
 }
 
 }  // namespace planewright

@@ -33,13 +33,9 @@ public:
     /// Mean of the samples from one moment to another [rad]; empty where there is none.
     std::optional<double> meanPitch(Time from, Time to) const;
 
-    /// True where samples from `from` on, one before it counted, to the last one at or behind `to` lie within
-    /// `tolerance` [rad] of a pitch, and none says that it moves. False where they do not reach as far.
-    bool isAt(double pitch, double tolerance, Time from, Time to) const;
-
-    /// Since when every sample has been within `tolerance` of a pitch without moving; empty where the last is not, or
-    /// fewer than `least` are.
-    std::optional<Time> restsSince(double pitch, double tolerance, int least) const;
+    /// Since when the head rests: the first sample from which on all are within `play` of the last one [rad]. Empty
+    /// where these are fewer than `least`.
+    std::optional<Time> restsSince(double play, int least) const;
 
 private:
     using Place = std::deque<TiltSample>::const_iterator;

@@ -12,7 +12,7 @@
 #include "devices/emulated/emulated_laser.h"
 #include "devices/emulated/emulated_link.h"
 #include "devices/emulated/emulated_servo.h"
-#include "devices/nodding/nodding_scanner.h"
+#include "devices/nodding/nodding_source.h"
 #include "devices/scip/scip_laser.h"
 #include "tests/devices/fake_clock.h"
 
@@ -171,7 +171,7 @@ void scanThrough(std::span<const std::uint8_t> input)
         [&](const std::stop_token& stop) {
             return openServo(stop).map([](auto p) { return std::unique_ptr<TiltUnit>(std::move(p)); });
         }};
-    auto scanner = NoddingScanner::open(devices, plan, rig.clock, {});
+    auto scanner = NoddingSource::open(devices, plan, rig.clock, {});
     if (!scanner)
         return;
     int faults = (*scanner)->begin({}) ? 0 : kMostFaults;

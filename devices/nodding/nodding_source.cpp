@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "devices/nodding/nodding_scanner.h"
+#include "devices/nodding/nodding_source.h"
 
 #include <cmath>
 #include <utility>
@@ -14,7 +14,6 @@ using Seconds = std::chrono::duration<double>;
 
 /// How often a held unit is asked where it is: its own watchdog wants to hear of somebody.
 constexpr std::chrono::milliseconds kPauseTick{50};
-constexpr int kSamplesOfRest = 3;
 constexpr int kMostAttempts = 2;
 
 /// A motion that was refused since somebody has stopped it is no fault.
@@ -27,10 +26,10 @@ Result<void> unlessHeld(Result<void> moved)
 
 }  // namespace
 
-Result<std::unique_ptr<NoddingScanner>> NoddingScanner::open(NoddingDevices devices, const ScanPlan& plan,
-                                                             const Clock& clock, const std::stop_token& stop)
+Result<std::unique_ptr<NoddingSource>> NoddingSource::open(NoddingDevices devices, const ScanPlan& plan,
+                                                           const Clock& clock, const std::stop_token& stop)
 {
-    std::unique_ptr<NoddingScanner> scanner{new NoddingScanner(std::move(devices), plan, clock)};
+    std::unique_ptr<NoddingSource> scanner{new NoddingSource(std::move(devices), plan, clock)};
     if (const Result<void> opened = scanner->devices_.open(stop); !opened)
         return tl::unexpected{opened.error()};
     if (const Result<void> fitted = scanner->fit(); !fitted)
@@ -38,12 +37,12 @@ Result<std::unique_ptr<NoddingScanner>> NoddingScanner::open(NoddingDevices devi
     return scanner;
 }
 
-NoddingScanner::NoddingScanner(NoddingDevices devices, const ScanPlan& plan, const Clock& clock)
+NoddingSource::NoddingSource(NoddingDevices devices, const ScanPlan& plan, const Clock& clock)
     : devices_(std::move(devices), clock), plan_(plan), clock_(clock)
 {
 }
 
-Result<void> NoddingScanner::fit()
+Result<void> NoddingSource::fit()
 {
     const LaserLimits& limits = devices_.laser().limits();
     const LaserIdentity& identity = devices_.laser().identity();
@@ -66,7 +65,7 @@ Result<void> NoddingScanner::fit()
     return {};
 }
 
-Result<void> NoddingScanner::begin(const std::stop_token& stop)
+Result<void> NoddingSource::begin(const std::stop_token& stop)
 {
     {
         const std::scoped_lock lock{mutex_};
@@ -85,7 +84,7 @@ Result<void> NoddingScanner::begin(const std::stop_token& stop)
     return {};
 }
 
-Result<void> NoddingScanner::getReady(const std::stop_token& stop)
+Result<void> NoddingSource::getReady(const std::stop_token& stop)
 {
     if (const Result<void> opened = devices_.open(stop); !opened)
         return opened;
@@ -102,14 +101,14 @@ Result<void> NoddingScanner::getReady(const std::stop_token& stop)
 }
 
 /// A stop of motion that comes while it is armed must hold all the same: it is looked for again before anything moves.
-Result<void> NoddingScanner::arm(const std::stop_token& stop)
+Result<void> NoddingSource::arm(const std::stop_token& stop)
 {
     if (const Result<void> armed = devices_.unit().arm(stop); !armed)
         return armed;
     return isPaused() ? devices_.hold() : Result<void>{};
 }
 
-Result<void> NoddingScanner::travelTo(const SliceTaker::Aim& start, const std::stop_token& stop)
+Result<void> NoddingSource::travelTo(const SliceTaker::Aim& start, const std::stop_token& stop)
 {
     if (isPaused())
         return {};
@@ -123,7 +122,7 @@ Result<void> NoddingScanner::travelTo(const SliceTaker::Aim& start, const std::s
         while (devices_.takeScan()) {
         }
         const TiltTrack& track = devices_.track();
-        if (track.restsSince(start.pitch, taker_.tolerance(), kSamplesOfRest))
+        if (taker_.restsSince(start.pitch, track))
             return {};
         if (!until && !track.isEmpty()) {
             const Seconds most{3.0 * std::abs(track.last().pitch - start.pitch) / start.speed + 0.5};
@@ -138,7 +137,7 @@ Result<void> NoddingScanner::travelTo(const SliceTaker::Aim& start, const std::s
 }
 
 /// Sends the unit to where it has to go now.
-Result<void> NoddingScanner::aim()
+Result<void> NoddingSource::aim()
 {
     const SliceTaker::Aim goal = taker_.goal();
     const Result<void> moved = devices_.unit().moveTo(goal.pitch, goal.speed);
@@ -149,11 +148,15 @@ Result<void> NoddingScanner::aim()
     return {};
 }
 
-Result<std::optional<ScanSlice>> NoddingScanner::next(const std::stop_token& stop)
+Result<std::optional<ScanSlice>> NoddingSource::next(const std::stop_token& stop)
 {
     while (!taker_.isDone() && !stop.stop_requested()) {
         Result<void> done;
-        if (isPaused()) {
+        // A pause that is over already has held the head all the same.
+        if (pauses() != seenPauses_) {
+            seenPauses_ = pauses();
+            isReady_ = false;
+        } else if (isPaused()) {
             waitWhilePaused(stop);
         } else if (!isReady_) {
             done = getReady(stop);
@@ -173,7 +176,7 @@ Result<std::optional<ScanSlice>> NoddingScanner::next(const std::stop_token& sto
 }
 
 /// The first slice that the scans heard so far give.
-Result<std::optional<ScanSlice>> NoddingScanner::takeSlice()
+Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
 {
     while (std::optional<LaserScan> scan = devices_.takeScan()) {
         Result<std::optional<ScanSlice>> slice = taker_.take(std::move(*scan), devices_.track());
@@ -194,7 +197,7 @@ Result<std::optional<ScanSlice>> NoddingScanner::takeSlice()
 }
 
 /// Errors (DeviceLost): the head does not get where it should. One at rest may have missed a command: it is told twice.
-Result<void> NoddingScanner::watchMotion()
+Result<void> NoddingSource::watchMotion()
 {
     if (taker_.getsOn(devices_.track(), clock_.now()))
         return {};
@@ -206,9 +209,8 @@ Result<void> NoddingScanner::watchMotion()
 }
 
 /// While it waits, the unit is asked where it is, and what the laser sends is passed over.
-void NoddingScanner::waitWhilePaused(const std::stop_token& stop)
+void NoddingSource::waitWhilePaused(const std::stop_token& stop)
 {
-    isReady_ = false;
     for (;;) {
         bool stopsLaser = false;
         {
@@ -227,14 +229,20 @@ void NoddingScanner::waitWhilePaused(const std::stop_token& stop)
     }
 }
 
-bool NoddingScanner::isPaused() const
+bool NoddingSource::isPaused() const
 {
     const std::scoped_lock lock{mutex_};
     return paused_;
 }
 
+int NoddingSource::pauses() const
+{
+    const std::scoped_lock lock{mutex_};
+    return pauses_;
+}
+
 /// Holds the head. A device that is gone is opened anew when the scan goes on.
-tl::unexpected<Error> NoddingScanner::fault(Error error)
+tl::unexpected<Error> NoddingSource::fault(Error error)
 {
     static_cast<void>(devices_.hold());
     if (error.code == ErrorCode::DeviceLost)
@@ -246,17 +254,18 @@ tl::unexpected<Error> NoddingScanner::fault(Error error)
     return tl::unexpected{std::move(error)};
 }
 
-Result<void> NoddingScanner::pause()
+Result<void> NoddingSource::pause()
 {
     {
         const std::scoped_lock lock{mutex_};
         paused_ = true;
+        ++pauses_;
         asked_.notify_all();
     }
     return devices_.hold();
 }
 
-Result<void> NoddingScanner::resume()
+Result<void> NoddingSource::resume()
 {
     const std::scoped_lock lock{mutex_};
     paused_ = false;
@@ -265,7 +274,7 @@ Result<void> NoddingScanner::resume()
     return {};
 }
 
-Result<void> NoddingScanner::stopMotion()
+Result<void> NoddingSource::stopMotion()
 {
     {
         const std::scoped_lock lock{mutex_};
@@ -274,7 +283,7 @@ Result<void> NoddingScanner::stopMotion()
     return pause();
 }
 
-NoddingHealth NoddingScanner::health() const
+NoddingHealth NoddingSource::health() const
 {
     return {devices_.laserHealth(), devices_.tiltHealth(), devices_.motor(), Time{largestSkew_}};
 }

@@ -31,12 +31,12 @@ struct NoddingHealth {
 /// Slices have the angle that was measured, never the one that was asked for. Nothing moves before begin(), and
 /// whatever goes wrong holds the unit: next() gives the error, and the next call of it tries to go on at the missing
 /// slice.
-class NoddingScanner : public ScanSource {
+class NoddingSource : public ScanSource {
 public:
     /// Opens both devices and fits the plan to them; moves nothing. Errors: those of the devices; Usage for a plan that
     /// they cannot carry out; Interrupted.
-    static Result<std::unique_ptr<NoddingScanner>> open(NoddingDevices devices, const ScanPlan& plan,
-                                                        const Clock& clock, const std::stop_token& stop);
+    static Result<std::unique_ptr<NoddingSource>> open(NoddingDevices devices, const ScanPlan& plan, const Clock& clock,
+                                                       const std::stop_token& stop);
 
     const ScanDescription& description() const override { return description_; }
     std::optional<int> plannedSlices() const override { return plan_.slices; }
@@ -55,7 +55,7 @@ public:
 private:
     using Time = std::chrono::nanoseconds;
 
-    NoddingScanner(NoddingDevices devices, const ScanPlan& plan, const Clock& clock);
+    NoddingSource(NoddingDevices devices, const ScanPlan& plan, const Clock& clock);
 
     Result<void> fit();
     /// From any state to one in which the next slice can be taken: devices open, laser scanning, head where it begins.
@@ -67,6 +67,7 @@ private:
     Result<void> watchMotion();
     void waitWhilePaused(const std::stop_token& stop);
     bool isPaused() const;
+    int pauses() const;
     tl::unexpected<Error> fault(Error error);
 
     DevicePair devices_;
@@ -78,13 +79,15 @@ private:
     mutable std::mutex mutex_;  ///< of what is asked for
     std::condition_variable_any asked_;
     bool paused_ = false;
+    int pauses_ = 0;
     bool motionStopped_ = false;
 
     // The acquisition thread's own.
     SliceTaker taker_;
     bool isReady_ = false;  ///< the head is where the next slice begins, and the laser scans
     bool isAimed_ = false;  ///< the unit has been told to go on from there
-    int attempts_ = 0;      ///< to reach the angle of the next slice
+    int seenPauses_ = 0;
+    int attempts_ = 0;  ///< to reach the angle of the next slice
     std::atomic<Time::rep> largestSkew_{0};
 };
 
