@@ -155,6 +155,13 @@ DynamixelBus::Time DynamixelBus::transferTime(std::size_t bytes) const
     return Time{static_cast<std::int64_t>(bytes) * kBitsOfByte * 1'000'000'000 / settings_.baud};
 }
 
+void DynamixelBus::restartCounts()
+{
+    const std::scoped_lock lock(mutex_);
+    health_ = {};
+    answered_.clear();
+}
+
 void DynamixelBus::countLate()
 {
     const std::scoped_lock lock(mutex_);

@@ -75,6 +75,8 @@ public:
     /// Listens for a time and throws away what comes.
     Result<void> pause(std::chrono::nanoseconds time, const std::stop_token& stop);
 
+    /// Counts from 0 again.
+    void restartCounts();
     /// Counts an answer whose moment is too uncertain to be used.
     void countLate();
 

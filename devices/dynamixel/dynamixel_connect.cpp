@@ -134,6 +134,7 @@ Result<void> DynamixelTilt::look()
     if (angles_.isEmpty())
         return fail(ErrorCode::Usage,
                     link_.subject() + ": the limits of the mounting leave nothing of what it can reach");
+    link_.restartCounts();  // what the search for it cost is no loss
     const Shared known = shared();
     if (known.torqueOn && known.state.moving)
         return writeGoal(known.state.position);

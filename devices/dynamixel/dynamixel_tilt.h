@@ -59,6 +59,9 @@ public:
     /// needed. Errors (DeviceLost): too warm, supply out of range, or the alarm is still there, with the numbers.
     Result<void> recover(const std::stop_token& stop);
 
+    /// True from the beginning of a hold() to the end of an arm(). Any thread.
+    bool isHeld() const { return holds_ != holdsTakenBack_; }
+
     LinkHealth health() const override;
     MotorState motor() const override;
 
@@ -118,7 +121,6 @@ private:
     tl::unexpected<Error> disarm(ErrorCode code, const std::string& trouble);
     std::string withNumbers(const std::string& what) const;
 
-    bool isHeld() const { return holds_ != holdsTakenBack_; }
     Result<void> checkMayMove() const;
     void noteState(const ServoState& state, Time at, bool isTrusted);
     Shared shared() const;

@@ -62,6 +62,7 @@ public:
     /// "/dev/ttyUSB0: servo 1".
     std::string subject() const;
     LinkHealth health() const { return bus_.health(); }
+    void restartCounts() { bus_.restartCounts(); }
     void countLate() { bus_.countLate(); }
 
 private:

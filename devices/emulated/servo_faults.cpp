@@ -28,7 +28,7 @@ constexpr auto kKinds = std::to_array<ServoFaultKind>({
     {ServoFault::Slow, "servo-slow", "Answers come 20 to 30 ms late."},
     {ServoFault::WrongAngle, "servo-wrong-angle", "The servo says that it stands 12 degrees from where it does."},
     {ServoFault::Unplug, "servo-unplug", "The cable is pulled out."},
-    {ServoFault::ByteLoss, "servo-byte-loss", "One byte of 500 gets lost, in either direction."},
+    {ServoFault::ByteLoss, "servo-byte-loss", "One byte of 1000 gets lost, in either direction."},
 });
 
 }  // namespace

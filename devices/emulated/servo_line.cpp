@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int kBitsOfByte = 10;
-constexpr std::uint64_t kBytesOfOneLost = 500;
+constexpr std::uint64_t kBytesOfOneLost = 1000;
 
 }  // namespace
 
