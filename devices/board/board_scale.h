@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <string>
+
 #include "core/types/error.h"
 #include "devices/board/board_replies.h"
 #include "devices/tilt_unit.h"
@@ -42,5 +44,8 @@ private:
     int high_;
     int topSpeed_;
 };
+
+/// An angle as people read it: "11.73°", "-0.29°".
+std::string toDegreesText(double radians);
 
 }  // namespace planewright::board

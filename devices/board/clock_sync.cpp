@@ -14,6 +14,8 @@ using namespace std::chrono_literals;
 
 constexpr ClockSync::Time kSlot = 500ms;
 constexpr std::size_t kSlots = 20;
+/// A line is believed for so long after its last quick heartbeat.
+constexpr ClockSync::Time kRemembered = 60s;
 /// Round trips up to this much above one and a half of the smallest still count.
 constexpr ClockSync::Time kSlack = 200us;
 /// A line through less than this would turn the round trip's uncertainty into a wrong drift.
@@ -41,8 +43,7 @@ bool ClockSync::add(const HeartbeatStamps& s)
         best_.push_back(sample);
     else if (sample.roundTrip <= best_.back().roundTrip)
         best_.back() = sample;
-    if (best_.size() > kSlots)
-        best_.pop_front();
+    forget(sample.at);
     fit();
     return true;
 }
@@ -77,9 +78,29 @@ void ClockSync::restart()
     slope_ = 0.0;
 }
 
+/// The longest round trip that still counts.
+ClockSync::Time ClockSync::slowest() const
+{
+    return roundTrip() * 3 / 2 + kSlack;
+}
+
+/// Makes room: slow ones go first, and all others once the last of them is old.
+void ClockSync::forget(Time now)
+{
+    const Time limit = slowest();
+    const auto isQuick = [&](const Sample& sample) { return sample.roundTrip <= limit; };
+    const auto newestQuick = std::find_if(best_.rbegin(), best_.rend(), isQuick);
+    if (now - newestQuick->at > kRemembered)
+        std::erase_if(best_, isQuick);
+    if (best_.size() <= kSlots)
+        return;
+    const auto slow = std::find_if_not(best_.begin(), best_.end(), isQuick);
+    best_.erase(slow == best_.end() ? best_.begin() : slow);
+}
+
 void ClockSync::fit()
 {
-    const Time limit = roundTrip() * 3 / 2 + kSlack;
+    const Time limit = slowest();
     std::deque<Sample> quick;
     std::copy_if(best_.begin(), best_.end(), std::back_inserter(quick),
                  [&](const Sample& sample) { return sample.roundTrip <= limit; });

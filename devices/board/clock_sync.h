@@ -20,10 +20,10 @@ struct HeartbeatStamps {
 
 /// Puts a board's clock beside the host's.
 ///
-/// Of every half second it keeps the heartbeat with the smallest round trip, for ten seconds; of these it takes those
-/// that were about as quick as the quickest, and lays a line through them, since a board's clock runs up to a few
-/// thousandths too fast or too slow. A heartbeat that took longer one way than the other is wrong by at most half its
-/// round trip.
+/// Of every half second it keeps the heartbeat with the smallest round trip, twenty in all; it takes those that were
+/// about as quick as the quickest, and lays a line through them, since a board's clock runs up to a few thousandths too
+/// fast or too slow. When all become slow, the quick ones count for a minute more. A heartbeat that took longer one way
+/// than the other is wrong by at most half its round trip.
 class ClockSync {
 public:
     using Time = std::chrono::nanoseconds;
@@ -53,6 +53,8 @@ private:
         Time roundTrip;
         Time at;  ///< host clock
     };
+    Time slowest() const;
+    void forget(Time now);
     void fit();
 
     std::deque<Sample> best_;  ///< one of each half second

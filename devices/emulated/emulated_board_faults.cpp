@@ -12,7 +12,7 @@ std::span<const BoardFaultKind> boardFaultKinds()
     static constexpr auto kKinds = std::to_array<BoardFaultKind>({
         {BoardFault::Crc, "board-crc", "one bit of every fifth frame of the board is turned over"},
         {BoardFault::ByteLoss, "board-byte-loss", "every fifth frame of the board lacks a byte"},
-        {BoardFault::Garbage, "board-garbage", "random bytes come between the frames of the board"},
+        {BoardFault::Garbage, "board-garbage", "random bytes come before every fifth frame of the board"},
         {BoardFault::Silent, "board-silent", "the board hears and obeys, but nothing comes from it any more"},
         {BoardFault::Duplicate, "board-duplicate", "every frame of the board comes twice"},
         {BoardFault::Delay, "board-delay", "everything from the board comes 80 ms late"},

@@ -23,13 +23,14 @@ void EmulatedBoardLine::send(std::vector<std::uint8_t> bytes, bool isEvent, Time
         return;
     if (has(BoardFault::Silent))
         return;
-    if (++frames_ % kDamagedEvery == 0)
+    const bool isHit = ++frames_ % kDamagedEvery == 0;
+    if (isHit)
         bytes = damaged(std::move(bytes));
     if (has(BoardFault::Duplicate)) {
         const std::vector<std::uint8_t> once = bytes;
         bytes.insert(bytes.end(), once.begin(), once.end());
     }
-    if (has(BoardFault::Garbage)) {
+    if (isHit && has(BoardFault::Garbage)) {
         const std::vector<std::uint8_t> before = garbage();
         bytes.insert(bytes.begin(), before.begin(), before.end());
     }

@@ -19,6 +19,7 @@ private slots:
     void aClockThatRunsFastIsFollowed_data();
     void aClockThatRunsFastIsFollowed();
     void slowHeartbeatsDoNotBendTheLine();
+    void aLineIsBelievedForAMinuteWhenAllBecomeSlow();
     void stampsThatCannotBeAreRefused();
     void momentsFarFromAllHeartbeatsHaveNoTime();
     void anotherStartForgetsEverything();
@@ -117,6 +118,25 @@ void BoardClockSyncTest::slowHeartbeatsDoNotBendTheLine()
 
     QVERIFY(std::chrono::abs(*host - 11s) < 50us);
     QVERIFY(std::abs(sync.drift() - 100e-6) < 5e-6);
+}
+
+void BoardClockSyncTest::aLineIsBelievedForAMinuteWhenAllBecomeSlow()
+{
+    const Board clock{0s, 100e-6};
+    ClockSync sync;
+    nanoseconds sent = 1s;
+    for (; sent < 11s; sent += 50ms)
+        sync.add(clock.heartbeat(sent, 500us, 50us, 500us));
+    for (; sent < 69s; sent += 50ms)
+        sync.add(clock.heartbeat(sent, 500us, 50us, 80ms));
+
+    const auto host = sync.toHost(static_cast<std::uint64_t>(clock.at(69s).count()));
+    QVERIFY(std::chrono::abs(*host - 69s) < 200us);
+    QVERIFY(sync.roundTrip() == 1ms);
+    for (; sent < 75s; sent += 50ms)
+        sync.add(clock.heartbeat(sent, 500us, 50us, 80ms));
+
+    QVERIFY(sync.roundTrip() > 80ms);
 }
 
 void BoardClockSyncTest::stampsThatCannotBeAreRefused()
