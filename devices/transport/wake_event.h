@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <optional>
+#include <poll.h>
+#include <vector>
 
 #include "devices/transport/descriptor.h"
 
@@ -38,5 +40,9 @@ struct Readiness {
 /// for the others only. A signal does not end it.
 Readiness waitUntilReady(int descriptor, short events, const WakeEvent& wake,
                          std::optional<std::chrono::nanoseconds> atMost);
+
+/// The same for any number of descriptors; what poll(2) tells of each is left in its place.
+void waitUntilAnyReady(std::vector<pollfd>& watched, const WakeEvent& wake,
+                       std::optional<std::chrono::nanoseconds> atMost);
 
 }  // namespace planewright

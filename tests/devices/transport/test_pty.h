@@ -26,4 +26,10 @@ struct TestPty {
     }
 };
 
+/// Opens a terminal as a program does that knows nothing of it.
+inline Descriptor openPlainly(const std::string& path)
+{
+    return Descriptor{::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
+}
+
 }  // namespace planewright
