@@ -17,6 +17,7 @@
 #include "devices/transport/descriptor.h"
 #include "devices/transport/descriptor_link.h"
 #include "devices/transport/serial_settings.h"
+#include "devices/transport/usb_error.h"
 
 namespace planewright {
 
@@ -92,8 +93,8 @@ std::string serialTroubleText(int error, const std::string& path)
             return "there is no such port; plug the device in, and see 'planewright-cli devices' for what is there";
         case EACCES:
         case EPERM:
-            return "you may not use this port; run 'sudo usermod -aG " + groupOf(path) +
-                   " \"$USER\"' and log in again, or install the udev rules that come with the program";
+            return "you have no right to open it; run 'sudo usermod -aG " + groupOf(path) +
+                   " \"$USER\"' and log in again, or install the rule for udev: " + usbPermissionCommand();
         case EBUSY:
             return kBusy;
         case ENOTTY:

@@ -267,7 +267,7 @@ void SerialLineTest::noPermissionIsExplainedWithTheCommand()
     const std::string text = serialTroubleText(EACCES, "/dev/ttyNOWHERE7");
 
     QVERIFY2(holds(text, "sudo usermod -aG dialout \"$USER\""), text.c_str());
-    QVERIFY2(holds(text, "udev rules"), text.c_str());
+    QVERIFY2(holds(text, "/etc/udev/rules.d/"), text.c_str());
     QVERIFY2(holds(serialTroubleText(EBUSY, "/dev/ttyNOWHERE7"), "another program"), text.c_str());
 }
 
