@@ -18,6 +18,7 @@ public:
     EmulatedPorts& operator=(const EmulatedPorts&) = delete;
 
     /// Adds a USB device with a port "ttyACM0", as udev describes them. Numbers are hexadecimal: "15d1".
+    /// umockdev does not take a name again that was removed.
     void add(const std::string& port, const std::string& vendorId, const std::string& productId,
              const std::string& vendor, const std::string& product, const std::string& serial);
     void remove(const std::string& port);
