@@ -72,6 +72,10 @@ Result<OpenedSource> openSource(const SourceAddress& address, const SimulatedSca
             return openRoom(address, simulation, clock);
         case SourceAddress::Kind::Replay:
             return openFile(address.name, address.speed, clock, stop);
+        case SourceAddress::Kind::Laser:
+            return fail(ErrorCode::Usage, "'" + address.name +
+                                              "': this version knows no scanners yet; give sim:SCENE, replay:FILE or a "
+                                              "file");
         case SourceAddress::Kind::File:
             break;
     }
