@@ -23,6 +23,6 @@ function(planewright_reuse_headers headers)
                                     PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
         # The same false alarm as that of -Wrestrict, which a precompiled <string> brings under other names too.
         target_compile_options(${target} PRIVATE
-            "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-stringop-overflow>")
+            "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>")
     endforeach()
 endfunction()
