@@ -40,7 +40,7 @@ Result<void> ScanSession::open(const std::string& fileOrAddress)
     if (Result<void> allowed = parts_->request(SessionRequest::Open); !allowed)
         return allowed;
     parts_->openText = fileOrAddress;
-    parts_->opener.open(*address, parts_->options.simulation);
+    parts_->opener.open(*address, {parts_->options.simulation, parts_->options.nodding});
     parts_->tellState();
     return {};
 }
@@ -187,6 +187,11 @@ void ScanSession::setRecordFolder(const std::string& folder)
 void ScanSession::setSimulation(const SimulatedScanner& simulation)
 {
     parts_->options.simulation = simulation;
+}
+
+void ScanSession::setNodding(const NoddingSetup& nodding)
+{
+    parts_->options.nodding = nodding;
 }
 
 std::vector<SharedSlice> ScanSession::measuredSlices() const

@@ -38,8 +38,8 @@ public:
 
     // Verbs.
 
-    /// Opens `sim:SCENE?seed=N&speed=X`: Connecting → Ready. `replay:FILE?speed=X`, or a plain file as fast as
-    /// possible: Connecting → Replaying → Review. What was open stays until the new one is there.
+    /// Opens `sim:SCENE?seed=N&speed=X`, or the address of a laser: Connecting → Ready. `replay:FILE?speed=X`, or a
+    /// plain file as fast as possible: Connecting → Replaying → Review. What was open stays until the new one is there.
     Result<void> open(const std::string& fileOrAddress);
     /// Ends opening, a replay or a rerun.
     Result<void> cancel();
@@ -73,6 +73,8 @@ public:
     void setRecordFolder(const std::string& folder);
     /// What the next `sim:` that is opened is set up with, but for the address's seed and speed.
     void setSimulation(const SimulatedScanner& simulation);
+    /// What the next laser that is opened is set up with.
+    void setNodding(const NoddingSetup& nodding);
 
     // What there is.
 

@@ -139,7 +139,7 @@ void SessionParts::startScan()
         emit session.projectChanged();
     }
     auto next = std::make_unique<SessionRun>([this](const ScanEvents& events) {
-        auto work = std::make_unique<ScanPipeline>(ScanPlan{opened.source, recorder(), parameters, options.explain},
+        auto work = std::make_unique<ScanPipeline>(PipelineSetup{opened.source, recorder(), parameters, options.explain},
                                                    events, clock);
         pipeline = work.get();
         return work;
