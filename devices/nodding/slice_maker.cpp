@@ -8,6 +8,13 @@
 
 namespace planewright {
 
+namespace {
+
+/// Samples from so long before a slice are on one line with those in it.
+constexpr std::chrono::milliseconds kLineBefore{75};
+
+}  // namespace
+
 bool SliceMaker::isDue(const LaserScan& scan, const TiltTrack& track)
 {
     return !track.isEmpty() && track.last().at >= scan.last;
@@ -15,10 +22,18 @@ bool SliceMaker::isDue(const LaserScan& scan, const TiltTrack& track)
 
 std::optional<ScanSlice> SliceMaker::make(LaserScan scan, const TiltTrack& track, int step, double commanded)
 {
-    const auto first = track.pitchAt(scan.first, kLargestSkew);
-    const auto last = track.pitchAt(scan.last, kLargestSkew);
+    auto first = track.pitchAt(scan.first, kLargestSkew);
+    auto last = track.pitchAt(scan.last, kLargestSkew);
     if (!first || !last)
         return std::nullopt;
+    if (geometry_.continuous) {
+        const auto line = track.lineSince(scan.first - kLineBefore);
+        // A count is rounded by half of one at most; what is farther off is a head that changes its speed.
+        if (line && line->residual <= 0.75 * geometry_.resolution) {
+            first = line->pitchAt(scan.first);
+            last = line->pitchAt(scan.last);
+        }
+    }
     largestSkew_ = std::max({largestSkew_, track.skewAt(scan.first), track.skewAt(scan.last)});
     if (!begin_)
         begin_ = scan.first;

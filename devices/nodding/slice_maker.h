@@ -26,6 +26,7 @@ public:
         double firstBearing = 0.0;  ///< [rad]
         double bearingStep = 0.0;   ///< [rad]
         bool continuous = false;    ///< the head nods on during a slice
+        double resolution = 0.0;    ///< smallest step of the measured angle [rad]
     };
 
     SliceMaker() = default;
@@ -35,7 +36,8 @@ public:
     static bool isDue(const LaserScan& scan, const TiltTrack& track);
 
     /// The slice of a scan, with the angles that the track has at its beams. Empty where it has none near enough: a
-    /// slice is never made up. Times count from that of the first slice.
+    /// slice is never made up. In a sweep, while the head keeps its speed, they lie on a line through the samples about
+    /// the slice, which is finer than a count of the unit. Times count from that of the first slice.
     std::optional<ScanSlice> make(LaserScan scan, const TiltTrack& track, int step, double commanded);
 
     /// Largest distance in time between a beam and an angle that was used for it.

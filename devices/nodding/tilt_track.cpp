@@ -38,6 +38,41 @@ std::optional<double> TiltTrack::pitchAt(Time moment, Time reach) const
     return before.pitch + share * (after->pitch - before.pitch);
 }
 
+double TiltTrack::Line::pitchAt(Time moment) const
+{
+    return pitch + speed * std::chrono::duration<double>(moment - at).count();
+}
+
+std::optional<TiltTrack::Line> TiltTrack::lineSince(Time from) const
+{
+    const Place first = firstFrom(from);
+    const auto count = std::distance(first, samples_.end());
+    if (count < 3)
+        return std::nullopt;
+    Line line;
+    line.at = first->at;
+    double meanTime = 0.0;
+    for (Place sample = first; sample != samples_.end(); ++sample) {
+        meanTime += std::chrono::duration<double>(sample->at - line.at).count();
+        line.pitch += sample->pitch;
+    }
+    const auto n = static_cast<double>(count);
+    meanTime /= n;
+    line.pitch /= n;
+    double timeSquares = 0.0;
+    double products = 0.0;
+    for (Place sample = first; sample != samples_.end(); ++sample) {
+        const double time = std::chrono::duration<double>(sample->at - line.at).count() - meanTime;
+        timeSquares += time * time;
+        products += time * (sample->pitch - line.pitch);
+    }
+    line.speed = products / timeSquares;  // samples are at different moments
+    line.pitch -= line.speed * meanTime;
+    for (Place sample = first; sample != samples_.end(); ++sample)
+        line.residual = std::max(line.residual, std::abs(sample->pitch - line.pitchAt(sample->at)));
+    return line;
+}
+
 TiltTrack::Time TiltTrack::skewAt(Time moment) const
 {
     const Place after = firstFrom(moment);

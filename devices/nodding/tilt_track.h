@@ -27,6 +27,18 @@ public:
     /// where the nearer of the two is farther away than `reach`: what happened between them nobody knows.
     std::optional<double> pitchAt(Time moment, Time reach) const;
 
+    /// A head that turns at constant speed.
+    struct Line {
+        Time at{0};             ///< a moment
+        double pitch = 0.0;     ///< then [rad]
+        double speed = 0.0;     ///< [rad/s]
+        double residual = 0.0;  ///< farthest of a sample from it [rad]
+        double pitchAt(Time moment) const;
+    };
+    /// The line of least squares through the samples from a moment on: what a unit's counts round off is averaged.
+    /// Empty for fewer than three samples.
+    std::optional<Line> lineSince(Time from) const;
+
     /// How far the nearer of the two samples about a moment is from it; zero outside of them.
     Time skewAt(Time moment) const;
 

@@ -16,6 +16,8 @@ private slots:
     void anAngleLiesOnTheLineBetweenItsSamples();
     void noAngleIsMadeUpOutsideOfTheSamples();
     void noAngleIsMadeUpInAGap();
+    void aLineAveragesWhatCountsRoundOff();
+    void aLineTellsOfAHeadThatChangesItsSpeed();
     void theSkewIsTheDistanceOfTheNearerSample();
     void theMeanIsOfTheSamplesWithinOnly();
     void aHeadRestsFromWhereItStaysNearItsLastAngle();
@@ -63,6 +65,35 @@ void TiltTrackTest::noAngleIsMadeUpInAGap()
     QVERIFY(!track.pitchAt(6ms, 5ms));
     QVERIFY(!track.pitchAt(50ms, 5ms));
     QVERIFY(track.pitchAt(95ms, 5ms));
+}
+
+void TiltTrackTest::aLineAveragesWhatCountsRoundOff()
+{
+    TiltTrack track;
+    for (int i = 0; i < 25; ++i) {  // 8 rad a second, in counts of 0.01 rad
+        const double pitch = 1.0 + 8.0 * 0.004 * i;
+        track.add({i * 4ms, std::round(pitch / 0.01) * 0.01, true});
+    }
+
+    const auto line = track.lineSince(0ms);
+
+    QVERIFY(line);
+    QVERIFY(std::abs(line->speed - 8.0) < 0.04);
+    QVERIFY(std::abs(line->pitchAt(50ms) - 1.4) < 0.001);
+    QVERIFY(line->residual < 0.0075);
+    QVERIFY(!track.lineSince(90ms));
+}
+
+void TiltTrackTest::aLineTellsOfAHeadThatChangesItsSpeed()
+{
+    const TiltTrack track = trackOf({{0ms, 1.0, true}, {10ms, 1.1, true}, {20ms, 1.2, true}, {30ms, 1.2, true}});
+
+    // By hand: mean 1.125 at 15 ms, slope 0.0035 / 0.0005 = 7 a second; residuals -0.02, 0.01, 0.04, -0.03.
+    const auto line = track.lineSince(0ms);
+
+    QVERIFY(line);
+    QVERIFY(std::abs(line->speed - 7.0) < 1e-9);
+    QVERIFY(std::abs(line->residual - 0.04) < 1e-9);
 }
 
 void TiltTrackTest::theSkewIsTheDistanceOfTheNearerSample()
