@@ -50,11 +50,22 @@ Result<void> DynamixelTilt::findProtocol(const std::stop_token& stop)
         if (stop.stop_requested())
             return fail(ErrorCode::Interrupted, link_.subject() + ": connecting was stopped");
         link_.setProtocol(protocol);
-        const Result<ServoReply> reply = link_.ping();
+        Result<ServoReply> reply = link_.ping();
         if (!reply)
             return tl::unexpected(reply.error());
-        if (reply->kind == ServoReply::Kind::Answered && reply->answers == 1)
+        const bool isOne = reply->kind == ServoReply::Kind::Answered && reply->answers == 1;
+        if (isOne && !reply->heardEcho)
             return {};
+        if (isOne) {
+            // A ping of 1.0 comes back the same from an adapter and from a servo whose supply is wrong: a read does
+            // not.
+            const Result<ServoReply> read = link_.read(identityRegion(protocol), image_);
+            if (!read)
+                return tl::unexpected(read.error());
+            if (read->answers > 0)
+                return {};
+            reply = read;
+        }
         // What was heard tells more than silence does.
         if (!best || best->kind == ServoReply::Kind::Silent)
             best = *reply;

@@ -110,7 +110,7 @@ private:
 
     // sample
     Result<std::optional<TiltSample>> judge(const ServoReply& reply);
-    Result<void> checkForReset();
+    Result<void> checkForReset(Time now);
     Result<void> checkForJump(const ServoState& state, Time at);
     Result<bool> followMotion(const ServoState& state, Time at);
     bool isLate(const ServoReply& reply);
