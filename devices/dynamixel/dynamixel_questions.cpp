@@ -78,8 +78,9 @@ Result<void> DynamixelTilt::writeMotion(int goal, int speed)
 
 Result<void> DynamixelTilt::writeGoal(int goal)
 {
-    share([&](Shared& shared) { shared.goal = goal; });
-    return writeRegister(model_->table->goal, static_cast<std::uint32_t>(goal));
+    const int allowed = std::clamp(goal, settings_.lowestGoal, settings_.highestGoal);
+    share([&](Shared& shared) { shared.goal = allowed; });
+    return writeRegister(model_->table->goal, static_cast<std::uint32_t>(allowed));
 }
 
 Result<void> DynamixelTilt::writeRegister(const ServoRegister& place, std::uint32_t value)
@@ -144,7 +145,7 @@ tl::unexpected<Error> DynamixelTilt::raiseAlarm(const ServoAlarm& alarm)
             const ServoState state = decodeState(*model_, image_, drive->torqueOn);
             noteState(state, reply->measured, true);
             if (drive->torqueOn && !drive->isShutDown)
-                writeGoal(std::clamp(state.position, settings_.lowestGoal, settings_.highestGoal));
+                writeGoal(state.position);
         }
     }
     return disarm(ErrorCode::DeviceLost, withNumbers(what) + then);

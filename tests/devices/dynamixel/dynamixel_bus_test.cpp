@@ -31,6 +31,7 @@ private slots:
     void aPingThatComesBackTheSameIsAnAlarm();
     void twoAnswersToOnePingAreTwoServos();
     void randomBytesAreNoServoAndTakeNoTime();
+    void whateverAnAnswerHoldsNothingBreaks_data();
     void whateverAnAnswerHoldsNothingBreaks();
 };
 
@@ -42,11 +43,12 @@ constexpr DynamixelProtocol kOne = DynamixelProtocol::One;
 
 /// A driver whose servo's answers are changed.
 struct TamperedRig {
-    explicit TamperedRig(TamperedServo::Tamper tamper)
+    explicit TamperedRig(TamperedServo::Tamper tamper, std::uint16_t model = 64)
     {
-        auto device = std::make_shared<TamperedServo>(EmulatedServo::make({}).value(), std::move(tamper));
+        auto device = std::make_shared<TamperedServo>(EmulatedServo::make(emulated(model)).value(), std::move(tamper));
+        const DynamixelProtocol protocol = model == 64 ? kOne : DynamixelProtocol::Two;
         auto recorded = std::make_unique<RecordedLink>(
-            std::make_unique<EmulatedLink>(device, std::make_shared<std::mutex>(), clock, "bus"), clock, kOne);
+            std::make_unique<EmulatedLink>(device, std::make_shared<std::mutex>(), clock, "bus"), clock, protocol);
         link = recorded.get();
         DynamixelOptions options;
         options.mounting = ServoRig::kMounting;
@@ -277,23 +279,38 @@ void DynamixelBusTest::randomBytesAreNoServoAndTakeNoTime()
     }
 }
 
+void DynamixelBusTest::whateverAnAnswerHoldsNothingBreaks_data()
+{
+    QTest::addColumn<int>("model");
+    QTest::addColumn<int>("goalAddress");
+    QTest::addColumn<int>("speedAddress");
+    QTest::newRow("RX-64") << 64 << 30 << 32;
+    QTest::newRow("XM430") << 1020 << 116 << 112;
+}
+
 void DynamixelBusTest::whateverAnAnswerHoldsNothingBreaks()
 {
     // Sound packets of any content: an error or a sample, and never a motion beyond the limits.
+    QFETCH(int, model);
+    QFETCH(int, goalAddress);
+    QFETCH(int, speedAddress);
     std::mt19937 random{5};  // NOLINT: the same bytes every time
     for (int round = 0; round < 300; ++round) {
+        const DynamixelProtocol protocol = model == 64 ? kOne : DynamixelProtocol::Two;
         bool isBad = false;
         TamperedRig rig{[&](const Bytes& /*request*/, Bytes answer) {
-            if (!isBad || random() % 4 == 0)
-                return answer;
-            for (std::size_t i = 4; i + 1 < answer.size(); ++i) {
-                if (i > 4 || random() % 8 == 0)
-                    answer[i] = static_cast<std::uint8_t>(random());
-            }
-            answer.back() = checksum(std::span{answer}.subspan(2, answer.size() - 3));
-            return answer;
-        }};
-        isBad = round % 2 == 0;
+                            const auto packets = PacketParser{protocol}.push(answer);
+                            if (!isBad || packets.size() != 1 || random() % 4 == 0)
+                                return answer;
+                            DynamixelStatus status = statusOf(protocol, packets[0]).value();
+                            for (std::uint8_t& byte : status.data)
+                                byte = static_cast<std::uint8_t>(random());
+                            if (random() % 8 == 0)
+                                status.error = static_cast<std::uint8_t>(random());
+                            return encodePacket(protocol, packetOf(protocol, status));
+                        },
+                        static_cast<std::uint16_t>(model)};
+        isBad = round % 3 == 0;
         (void)rig.tilt->connect({});
         (void)rig.tilt->arm({});
         isBad = true;
@@ -304,11 +321,20 @@ void DynamixelBusTest::whateverAnAnswerHoldsNothingBreaks()
         (void)rig.tilt->hold();
         (void)rig.tilt->recover({});
         for (const WrittenRequest& request : rig.link->written()) {
-            const auto& parameters = request.packet.parameters;
-            if (request.packet.code == 0x03 && parameters[0] == 30)
-                QVERIFY(fromLittleEndian(std::span{parameters}.subspan(1, 2)) <= 1023);
-            if (request.packet.code == 0x03 && (parameters[0] == 32 || parameters.size() == 5))
-                QVERIFY(fromLittleEndian(std::span{parameters}.last(2)) >= 1);
+            const std::size_t width = model == 64 ? 1 : 2;
+            const std::size_t size = 2 * width;
+            const std::span<const std::uint8_t> parameters{request.packet.parameters};
+            if (request.packet.code != 0x03)
+                continue;
+            const auto first = fromLittleEndian(parameters.first(width));
+            const auto valueAt = [&](int address) {
+                return fromLittleEndian(parameters.subspan(width + static_cast<std::size_t>(address) - first, size));
+            };
+            const std::size_t end = first + parameters.size() - width;
+            if (std::size_t(goalAddress) >= first && std::size_t(goalAddress) + size <= end)
+                QVERIFY(valueAt(goalAddress) <= (model == 64 ? 1023U : 4095U));
+            if (std::size_t(speedAddress) >= first && std::size_t(speedAddress) + size <= end)
+                QVERIFY(valueAt(speedAddress) >= 1);
         }
         QVERIFY(rig.clock.now() < 60s);
     }
