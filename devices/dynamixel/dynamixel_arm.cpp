@@ -67,6 +67,10 @@ Result<void> DynamixelTilt::standStill()
         return fail(ErrorCode::DeviceLost,
                     link_.subject() + " stands at " + angleText(angles_.pitch(state->position)) +
                         ", beyond its own angle limits; turn it back by hand, then arm it again");
+    if (model_->table->watchdog.exists() && settings_.firmware >= kFirmwareWithWatchdog) {
+        if (auto written = writeRegister(model_->table->watchdog, 0); !written)
+            return written;
+    }
     if (auto written = writeRegister(model_->table->speed, kSlowestSpeed); !written)
         return written;
     return writeGoal(goal);

@@ -135,7 +135,9 @@ Result<void> DynamixelTilt::checkAlarm(const ServoReply& reply)
 tl::unexpected<Error> DynamixelTilt::raiseAlarm(const ServoAlarm& alarm)
 {
     const std::string what = "reports an alarm (" + (alarm.any() ? alarm.text() : std::string{"unknown"}) + ")";
-    const std::string then = ". It does not move any more; see to the cause, then recover or arm it";
+    const bool turnsOff = (alarmBits(model_->protocol, alarm) & alarmBits(model_->protocol, settings_.shutdown)) != 0;
+    const std::string then = turnsOff ? ". It has turned itself off; see to the cause, then recover it"
+                                      : ". It was told to stay where it is; see to the cause, then arm it again";
     isArmed_ = false;
     if (lastAlarm_ != alarm) {
         lastAlarm_ = alarm;

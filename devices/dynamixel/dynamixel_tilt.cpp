@@ -68,6 +68,8 @@ Result<void> DynamixelTilt::moveTo(double pitch, double speed)
 
 double DynamixelTilt::nearestPitch(double pitch) const
 {
+    if (model_ == nullptr || !std::isfinite(pitch))
+        return pitch;
     return angles_.pitch(angles_.nearestCount(pitch));
 }
 

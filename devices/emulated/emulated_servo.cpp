@@ -129,7 +129,7 @@ void EmulatedServo::advance(Time now)
 
 void EmulatedServo::bringFaults(Time now)
 {
-    const int turn = turns_ ? turns_() : 0;
+    const int turn = turns_ ? std::max(0, turns_()) : 0;
     std::vector<ServoFaultAt> due;
     std::erase_if(waiting_, [&](const ServoFaultAt& fault) {
         const bool isDue = fault.step <= turn;

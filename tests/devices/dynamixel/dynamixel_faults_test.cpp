@@ -170,11 +170,11 @@ void DynamixelFaultsTest::anAlarmEndsTheMotionAndNamesItsNumbers_data()
     for (const int model : {64, 1020}) {
         const char* name = model == 64 ? "RX-64" : "XM430";
         QTest::addRow("%s overload", name) << model << "servo-overload"
-                                           << "(overload)|load 100 %";
+                                           << "(overload)|load 100 %|turned itself off";
         QTest::addRow("%s overheat", name) << model << "servo-overheat"
-                                           << "(overheating)|82 °C (limit 80)";
+                                           << "(overheating)|82 °C (limit 80)|turned itself off";
         QTest::addRow("%s voltage", name) << model << "servo-voltage"
-                                          << "(supply voltage out of range)|5.8 V (allowed ";
+                                          << "(supply voltage out of range)|5.8 V (allowed |told to stay";
     }
 }
 
