@@ -92,6 +92,7 @@ constexpr ControlTable tableTwo()
     table.torqueEnable = {64, 1};
     table.returnLevel = {68, 1};
     table.hardwareError = {70, 1};
+    table.watchdog = {98, 1};
     table.speed = {112, 4};
     table.goal = {116, 4};
     table.moving = {122, 1};

@@ -26,6 +26,9 @@ struct ServoRegion {
     std::uint16_t count = 0;
 };
 
+/// Firmware of 2.0 that first had a watchdog.
+inline constexpr int kFirmwareWithWatchdog = 38;
+
 /// Where a family of servos keeps what we need to know. Source: the manufacturer's tables.
 struct ControlTable {
     ServoRegister model;
@@ -57,6 +60,7 @@ struct ControlTable {
     ServoRegister moving;
     ServoRegister lock;        ///< of the EEPROM; only the end of the power clears it
     ServoRegister torqueMode;  ///< 1: obeys a torque and no goal
+    ServoRegister watchdog;    ///< 255 after a program that used it has died: no goal is taken then; 0 = off
 
     std::span<const ServoRegion> settings;  ///< what does not change while it runs
     std::span<const ServoRegion> drive;     ///< torque, goal, speed, hardware error: what tells of a reset

@@ -63,10 +63,14 @@ Result<void> DynamixelTilt::standStill()
         return disarm(ErrorCode::DeviceLost,
                       withNumbers("was turned off by an alarm") + "; see to the cause, then recover it");
     const int goal = std::clamp(state->position, settings_.lowestGoal, settings_.highestGoal);
-    if (std::abs(goal - state->position) > settings_.tolerance)
+    if (std::abs(double(goal) - state->position) > settings_.tolerance)
         return fail(ErrorCode::DeviceLost,
                     link_.subject() + " stands at " + angleText(angles_.pitch(state->position)) +
                         ", beyond its own angle limits; turn it back by hand, then arm it again");
+    if (model_->table->watchdog.exists() && settings_.firmware >= kFirmwareWithWatchdog) {
+        if (auto written = writeRegister(model_->table->watchdog, 0); !written)
+            return written;
+    }
     if (auto written = writeRegister(model_->table->speed, kSlowestSpeed); !written)
         return written;
     return writeGoal(goal);
@@ -127,9 +131,10 @@ std::optional<int> DynamixelTilt::whereItIsNow(const Shared& known) const
     const Time age = clock_.now() - known.stateAt;
     if (age > kFresh)
         return std::nullopt;
+    const double position = known.state.position;
     const double way = known.state.speed / known.model->countAngle * std::chrono::duration<double>(age).count();
-    const auto [low, high] = std::minmax(known.state.position, known.goal);
-    return std::clamp(known.state.position + static_cast<int>(std::lround(way)), low, high);
+    const auto [low, high] = std::minmax({position, double(known.goal)});
+    return static_cast<int>(std::lround(std::clamp(position + way, low, high)));
 }
 
 Result<int> DynamixelTilt::askWhereItIs(const Shared& known)
@@ -184,10 +189,9 @@ Result<void> DynamixelTilt::recover(const std::stop_token& stop)
 /// 1.0: an alarm has set the torque limit to 0. Goal := where it is comes first, while there is no torque.
 Result<void> DynamixelTilt::recoverOne()
 {
-    const int goal = std::clamp(shared().state.position, settings_.lowestGoal, settings_.highestGoal);
     if (auto done = writeRegister(model_->table->speed, kSlowestSpeed); !done)
         return done;
-    if (auto done = writeGoal(goal); !done)
+    if (auto done = writeGoal(shared().state.position); !done)
         return done;
     if (auto done = writeRegister(model_->table->torqueLimit, static_cast<std::uint32_t>(settings_.maxTorque)); !done)
         return done;

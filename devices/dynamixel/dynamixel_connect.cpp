@@ -27,6 +27,16 @@ Result<void> DynamixelTilt::connect(const std::stop_token& stop)
     mayHaveReset_ = false;
     wasRecovered_ = false;
     share([](Shared& shared) { shared = {}; });
+    Result<void> done = findAndLook(stop);
+    if (!done) {
+        model_ = nullptr;
+        share([](Shared& shared) { shared = {}; });
+    }
+    return done;
+}
+
+Result<void> DynamixelTilt::findAndLook(const std::stop_token& stop)
+{
     if (const auto fault = faultOf(options_.mounting))
         return fail(ErrorCode::Usage, link_.subject() + ": the mounting is wrong: " + *fault);
     if (auto found = findProtocol(stop); !found)
@@ -35,11 +45,12 @@ Result<void> DynamixelTilt::connect(const std::stop_token& stop)
     if (!model)
         return tl::unexpected(model.error());
     model_ = *model;
-    if (auto read = readAll(); !read)
-        return read;
+    const Result<ServoReply> state = readAll();
+    if (!state)
+        return tl::unexpected(state.error());
     if (stop.stop_requested())
         return fail(ErrorCode::Interrupted, link_.subject() + ": connecting was stopped");
-    return look();
+    return look(*state);
 }
 
 /// Pings in 1.0, then in 2.0.
@@ -50,11 +61,22 @@ Result<void> DynamixelTilt::findProtocol(const std::stop_token& stop)
         if (stop.stop_requested())
             return fail(ErrorCode::Interrupted, link_.subject() + ": connecting was stopped");
         link_.setProtocol(protocol);
-        const Result<ServoReply> reply = link_.ping();
+        Result<ServoReply> reply = link_.ping();
         if (!reply)
             return tl::unexpected(reply.error());
-        if (reply->kind == ServoReply::Kind::Answered && reply->answers == 1)
+        const bool isOne = reply->kind == ServoReply::Kind::Answered && reply->answers == 1;
+        if (isOne && !reply->heardEcho)
             return {};
+        if (isOne) {
+            // A ping of 1.0 comes back the same from an adapter and from a servo whose supply is wrong: a read does
+            // not.
+            const Result<ServoReply> read = link_.read(identityRegion(protocol), image_);
+            if (!read)
+                return tl::unexpected(read.error());
+            if (read->answers > 0)
+                return {};
+            reply = read;
+        }
         // What was heard tells more than silence does.
         if (!best || best->kind == ServoReply::Kind::Silent)
             best = *reply;
@@ -89,52 +111,53 @@ Result<const DynamixelModel*> DynamixelTilt::findModel()
     return model;
 }
 
-/// Settings, drive and state.
-Result<void> DynamixelTilt::readAll()
+/// Settings, drive and state; the answer with the state.
+Result<ServoReply> DynamixelTilt::readAll()
 {
-    const auto read = [&](ServoRegion region) { return need(link_.read(region, image_), ErrorCode::NoDevice); };
     for (const std::span<const ServoRegion> regions : {model_->table->settings, model_->table->drive}) {
         for (const ServoRegion region : regions) {
-            if (const auto reply = read(region); !reply)
-                return tl::unexpected(reply.error());
+            if (auto reply = need(link_.read(region, image_), ErrorCode::NoDevice); !reply)
+                return reply;
         }
     }
-    const auto reply = need(link_.readState(*model_->table, image_), ErrorCode::NoDevice);
-    if (!reply)
-        return tl::unexpected(reply.error());
-    const ServoDrive drive = decodeDrive(*model_, image_);
+    return need(link_.readState(*model_->table, image_), ErrorCode::NoDevice);
+}
+
+/// May it be moved? Only then does anybody else hear of it.
+Result<void> DynamixelTilt::look(const ServoReply& reply)
+{
+    if (const auto reason = reasonNotToMove(*model_, image_))
+        return fail(ErrorCode::NoDevice,
+                    link_.subject() + " (" + std::string{model_->name} + ") " + *reason + ", then connect again");
     settings_ = decodeSettings(*model_, image_);
+    angles_ = {*model_, options_.mounting, settings_.lowestGoal, settings_.highestGoal, settings_.mostSpeed};
+    if (angles_.isEmpty())
+        return fail(ErrorCode::Usage,
+                    link_.subject() + ": the limits of the mounting leave nothing of what it can reach");
     link_.setReturnDelay(settings_.returnDelay);
+    link_.restartCounts();  // what the search for it cost is no loss
+    const ServoDrive drive = decodeDrive(*model_, image_);
     share([&](Shared& shared) {
         shared.model = model_;
         shared.settings = settings_;
         shared.torqueOn = drive.torqueOn;
         shared.goal = drive.goal;
         shared.state = decodeState(*model_, image_, drive.torqueOn);
-        shared.stateAt = reply->measured;
+        shared.stateAt = reply.measured;
         shared.isTrusted = true;
     });
-    if (const auto sound = checkAlarm(*reply); !sound)
+    if (const auto sound = checkAlarm(reply); !sound)
         return {};  // arm() refuses, and recover() needs a servo that is connected
-    if (drive.isShutDown)
-        disarm(ErrorCode::DeviceLost, "an alarm has turned it off; see to the cause, then recover it");
-    return {};
+    if (drive.isShutDown) {
+        disarm(ErrorCode::DeviceLost, "was turned off by an alarm; see to the cause, then recover it");
+        return {};
+    }
+    return stopWhatWasLeft();
 }
 
-/// May it be moved? Stops what a program before this one has left moving.
-Result<void> DynamixelTilt::look()
+/// A program before this one may have died while it moved.
+Result<void> DynamixelTilt::stopWhatWasLeft()
 {
-    if (const auto reason = reasonNotToMove(*model_, image_)) {
-        const std::string who = link_.subject() + " (" + std::string{model_->name} + ") ";
-        model_ = nullptr;
-        share([](Shared& shared) { shared = {}; });
-        return fail(ErrorCode::NoDevice, who + *reason + ", then connect again");
-    }
-    angles_ = {*model_, options_.mounting, settings_.lowestGoal, settings_.highestGoal, settings_.mostSpeed};
-    if (angles_.isEmpty())
-        return fail(ErrorCode::Usage,
-                    link_.subject() + ": the limits of the mounting leave nothing of what it can reach");
-    link_.restartCounts();  // what the search for it cost is no loss
     const Shared known = shared();
     if (known.torqueOn && known.state.moving)
         return writeGoal(known.state.position);

@@ -78,8 +78,9 @@ Result<void> DynamixelTilt::writeMotion(int goal, int speed)
 
 Result<void> DynamixelTilt::writeGoal(int goal)
 {
-    share([&](Shared& shared) { shared.goal = goal; });
-    return writeRegister(model_->table->goal, static_cast<std::uint32_t>(goal));
+    const int allowed = std::clamp(goal, settings_.lowestGoal, settings_.highestGoal);
+    share([&](Shared& shared) { shared.goal = allowed; });
+    return writeRegister(model_->table->goal, static_cast<std::uint32_t>(allowed));
 }
 
 Result<void> DynamixelTilt::writeRegister(const ServoRegister& place, std::uint32_t value)
@@ -134,7 +135,9 @@ Result<void> DynamixelTilt::checkAlarm(const ServoReply& reply)
 tl::unexpected<Error> DynamixelTilt::raiseAlarm(const ServoAlarm& alarm)
 {
     const std::string what = "reports an alarm (" + (alarm.any() ? alarm.text() : std::string{"unknown"}) + ")";
-    const std::string then = ". It does not move any more; see to the cause, then recover or arm it";
+    const bool turnsOff = (alarmBits(model_->protocol, alarm) & alarmBits(model_->protocol, settings_.shutdown)) != 0;
+    const std::string then = turnsOff ? ". It has turned itself off; see to the cause, then recover it"
+                                      : ". It was told to stay where it is; see to the cause, then arm it again";
     isArmed_ = false;
     if (lastAlarm_ != alarm) {
         lastAlarm_ = alarm;
@@ -144,7 +147,7 @@ tl::unexpected<Error> DynamixelTilt::raiseAlarm(const ServoAlarm& alarm)
             const ServoState state = decodeState(*model_, image_, drive->torqueOn);
             noteState(state, reply->measured, true);
             if (drive->torqueOn && !drive->isShutDown)
-                writeGoal(std::clamp(state.position, settings_.lowestGoal, settings_.highestGoal));
+                writeGoal(state.position);
         }
     }
     return disarm(ErrorCode::DeviceLost, withNumbers(what) + then);

@@ -22,6 +22,8 @@ constexpr std::chrono::nanoseconds kMostUncertainty = 5ms;
 // A position may differ by this from where the speed allows it: gears, and a push by hand.
 constexpr double kJump = degrees(3.0);
 constexpr double kSpeedSlack = 1.5;
+// A servo that is asked more often than this cannot lose its power and come back unseen.
+constexpr std::chrono::nanoseconds kUnseen = 100ms;
 
 double secondsOf(std::chrono::nanoseconds time)
 {
@@ -48,6 +50,8 @@ Result<void> DynamixelTilt::moveTo(double pitch, double speed)
     if (!(speed > 0.0 && speed <= fastest() * (1.0 + 1e-9)))
         return fail(ErrorCode::Usage, link_.subject() + ": the speed " + angleText(speed) +
                                           "/s is not between 0 and the limit " + angleText(fastest()) + "/s");
+    if (auto sound = checkForReset(clock_.now()); !sound)
+        return sound;
     const int from = shared().state.position;
     watchedGoal_ = angles_.nearestCount(pitch);
     watchedSpeed_ = angles_.speedValue(speed);
@@ -64,6 +68,8 @@ Result<void> DynamixelTilt::moveTo(double pitch, double speed)
 
 double DynamixelTilt::nearestPitch(double pitch) const
 {
+    if (model_ == nullptr || !std::isfinite(pitch))
+        return pitch;
     return angles_.pitch(angles_.nearestCount(pitch));
 }
 
@@ -94,7 +100,7 @@ Result<std::optional<TiltSample>> DynamixelTilt::sample(Time deadline, const std
 Result<std::optional<TiltSample>> DynamixelTilt::judge(const ServoReply& reply)
 {
     const ServoState state = decodeState(*model_, image_, shared().torqueOn);
-    if (const auto sound = checkForReset(); !sound)
+    if (const auto sound = checkForReset(reply.measured); !sound)
         return tl::unexpected(sound.error());
     if (const auto sound = checkForJump(state, reply.measured); !sound)
         return tl::unexpected(sound.error());
@@ -109,13 +115,12 @@ Result<std::optional<TiltSample>> DynamixelTilt::judge(const ServoReply& reply)
     return TiltSample{reply.measured, angles_.pitch(state.position), *moving};
 }
 
-/// After silence: a servo whose power went and came has forgotten its torque and its goal.
-Result<void> DynamixelTilt::checkForReset()
+/// After silence, or where nobody asked: a servo whose power went and came has forgotten its torque.
+Result<void> DynamixelTilt::checkForReset(Time now)
 {
-    if (!std::exchange(mayHaveReset_, false))
-        return {};
     const Shared known = shared();
-    if (!known.torqueOn)
+    const bool wasUnseen = now - known.stateAt > kUnseen;
+    if (!(std::exchange(mayHaveReset_, false) || wasUnseen) || !known.torqueOn)
         return {};
     const Result<ServoDrive> drive = readDrive();
     if (!drive)
@@ -139,7 +144,7 @@ Result<void> DynamixelTilt::checkForJump(const ServoState& state, Time at)
     if (!isArmed_ || !known.isTrusted || distance <= possible)
         return {};
     mayHaveReset_ = true;
-    if (auto sound = checkForReset(); !sound)
+    if (auto sound = checkForReset(at); !sound)
         return sound;
     // What it says now is no place to hold at: it holds at the last one that could be true.
     writeGoal(known.state.position);

@@ -84,14 +84,17 @@ private:
     // connect
     Result<void> findProtocol(const std::stop_token& stop);
     Result<const DynamixelModel*> findModel();
-    Result<void> readAll();
-    Result<void> look();
+    Result<void> findAndLook(const std::stop_token& stop);
+    Result<ServoReply> readAll();
+    Result<void> look(const ServoReply& reply);
+    Result<void> stopWhatWasLeft();
 
     // Questions whose answers are looked at; `code` is that of a servo which does not answer.
     Result<ServoReply> need(Result<ServoReply> reply, ErrorCode code);
     Result<ServoDrive> readDrive();
     Result<ServoState> readState();
     Result<void> writeMotion(int goal, int speed);
+    /// The nearest that the servo allows.
     Result<void> writeGoal(int goal);
     Result<void> writeRegister(const ServoRegister& place, std::uint32_t value);
     /// Any thread. Where the servo does not answer writes, reads what it has become.
@@ -110,7 +113,7 @@ private:
 
     // sample
     Result<std::optional<TiltSample>> judge(const ServoReply& reply);
-    Result<void> checkForReset();
+    Result<void> checkForReset(Time now);
     Result<void> checkForJump(const ServoState& state, Time at);
     Result<bool> followMotion(const ServoState& state, Time at);
     bool isLate(const ServoReply& reply);

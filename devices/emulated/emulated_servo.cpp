@@ -69,7 +69,7 @@ double EmulatedServo::shaftOf(double pitch) const
 
 double EmulatedServo::pitchAt(Time at)
 {
-    if (at > now_)
+    if (at >= now_)
         advance(at);
     const TiltMounting& mounting = settings_.mounting;
     return mounting.zeroPitch + mounting.sign * mounting.scale * bodies_.front().shaft(at);

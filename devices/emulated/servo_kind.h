@@ -40,6 +40,7 @@ enum class ServoRole {
     Moving,
     Lock,
     Tick,
+    Watchdog,
 };
 
 /// One value of a control table, as the manufacturer's page has it.

@@ -12,6 +12,8 @@ namespace planewright {
 
 namespace {
 
+constexpr std::uint32_t kWatchdogBit = 255;  // it has bitten
+
 std::int32_t inTwosComplement(std::uint32_t value, int size)
 {
     if (size >= 4)
@@ -139,6 +141,8 @@ ServoMemory::Refusal ServoMemory::checkValue(const ServoRule& rule, std::uint32_
     const std::int64_t low = this->value(ServoRole::LowestGoal);
     const std::int64_t high = this->value(ServoRole::HighestGoal);
     const bool isWheel = kind_.protocol == DynamixelProtocol::One && low == 0 && high == 0;
+    if (rule.role == ServoRole::Goal && this->value(ServoRole::Watchdog) == kWatchdogBit)
+        return Refusal::Range;
     if (rule.role == ServoRole::Goal && !isWheel && (number < low || number > high))
         return Refusal::Limit;
     return Refusal::None;

@@ -30,6 +30,7 @@ private slots:
     void armingHoldsItWhereItStands_data();
     void armingHoldsItWhereItStands();
     void aShaftBeyondItsLimitsIsNotArmed();
+    void aWatchdogThatHasBittenIsTurnedOff();
     void itGoesWhereItIsToldAndSaysWhenItIsThere();
     void aSampleIsTrueAtItsMoment();
     void speedsAreNeverZero();
@@ -255,6 +256,21 @@ void DynamixelTiltTest::aShaftBeyondItsLimitsIsNotArmed()
     QVERIFY(!armed);
     QVERIFY(says(armed.error().message, {"-60.1 deg", "by hand"}));
     QVERIFY(isNear(rig.truth(rig.clock.now() + 1s), degrees(-60.0), 1e-9));
+}
+
+void DynamixelTiltTest::aWatchdogThatHasBittenIsTurnedOff()
+{
+    ServoRig rig{withRegister(emulated(1020), 98, 255)};
+
+    QVERIFY(rig.ready());
+
+    QVERIFY(rig.tilt->moveTo(degrees(10.0), 1.0));
+    QVERIFY(rig.arrive());
+    // An older firmware has none, and is not asked for it.
+    ServoRig old{withRegister(emulated(1020), 6, 37)};
+    QVERIFY(old.ready());
+    for (const WrittenRequest& request : old.link->written())
+        QVERIFY(request.packet.code != kWrite || request.packet.parameters[0] != 98);
 }
 
 void DynamixelTiltTest::itGoesWhereItIsToldAndSaysWhenItIsThere()

@@ -116,8 +116,11 @@ struct ServoRig {
         return fail(ErrorCode::Internal, "did not arrive");
     }
 
+    /// Where the shaft is; a moment to come is made to come first.
     double truth(std::chrono::nanoseconds at)
     {
+        if (at > clock.now())
+            clock.advance(at - clock.now());
         const std::scoped_lock lock(*mutex);
         return servo->pitchAt(at);
     }
