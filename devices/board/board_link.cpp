@@ -138,7 +138,7 @@ Result<std::optional<BoardLink::Received>> BoardLink::next(Time deadline, const 
     std::unique_lock lock(mutex_);
     for (bool isFirst = true;; isFirst = false) {
         if (!inbox_.empty()) {
-            Received received = std::move(inbox_.front());
+            const Received received = inbox_.front();
             inbox_.pop_front();
             return received;
         }
@@ -295,7 +295,7 @@ void BoardLink::deliver(const Frame& frame, Time at)
 {
     rate_.count(at);
     unanswered_ = 0;
-    tl::expected<Message, NakCode> message = toMessage(frame);
+    const tl::expected<Message, NakCode> message = toMessage(frame);
     if (!message) {
         // Events that are not known are those of a newer firmware.
         unreadable_ += frame.isEvent() && message.error() == NakCode::UnknownType ? 0 : 1;
@@ -306,11 +306,11 @@ void BoardLink::deliver(const Frame& frame, Time at)
         sync_.restart();
         newestBoardUs_ = 0;
     }
-    Received received{std::move(*message), frame.seq, at, std::nullopt, ++order_};
+    Received received{*message, frame.seq, at, std::nullopt, ++order_};
     if (const auto stamp = stampOf(received.message))
         received.happened = toHost(*stamp);
     if (frame.isEvent() ? frame.type >= SliceEvent::kType : deliverReply(received, frame.type))
-        inbox_.push_back(std::move(received));
+        inbox_.push_back(received);
     while (inbox_.size() > kMostUnfetched) {
         inbox_.pop_front();
         ++missing_;

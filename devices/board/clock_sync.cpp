@@ -114,7 +114,7 @@ void ClockSync::fit()
 
     double meanX = 0.0;
     double meanY = 0.0;
-    const double n = static_cast<double>(quick.size());
+    const auto n = static_cast<double>(quick.size());
     const auto x = [&](const Sample& sample) { return static_cast<double>((sample.board - reference_).count()); };
     const auto y = [&](const Sample& sample) { return static_cast<double>((sample.offset - quickest.offset).count()); };
     for (const Sample& sample : quick) {

@@ -125,7 +125,7 @@ private:
     bool hasPassedALimit(Time now);
     void arrive(Time now);
     void fault(board::Fault code, int detail, Time now);
-    void emitEvent(board::Message message, Time now);
+    void emitEvent(const board::Message& message, Time now);
     /// What it tells of where the servo is.
     std::uint16_t position(Time at) const;
 

@@ -234,10 +234,10 @@ void EmulatedBoardFirmware::fault(Fault code, int detail, Time now)
         emitEvent(event, now);
 }
 
-void EmulatedBoardFirmware::emitEvent(Message message, Time now)
+void EmulatedBoardFirmware::emitEvent(const Message& message, Time now)
 {
     if (isGreeted_)
-        events_.push_back({now, std::move(message)});
+        events_.push_back({now, message});
 }
 
 }  // namespace planewright

@@ -17,7 +17,7 @@ constexpr int kMovingLoad = 250;
 }  // namespace
 
 EmulatedBoardServo::EmulatedBoardServo(const TiltMounting& mounting, double startPitch, const MotorDynamics& dynamics)
-    : scale_(mounting), motor_(startPitch, dynamics), goal_(0)
+    : scale_(mounting), motor_(startPitch, dynamics)
 {
     goal_ = position(Time{0});
 }

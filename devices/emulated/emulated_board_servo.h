@@ -45,7 +45,7 @@ public:
 private:
     board::Scale scale_;
     EmulatedMotor motor_;
-    int goal_;
+    int goal_ = 0;
     int torque_ = 1000;
     bool isStalled_ = false;
 };

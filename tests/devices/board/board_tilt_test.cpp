@@ -22,6 +22,7 @@ private slots:
     void samplesHaveTheTimeOfTheHost();
     void samplesComeAsOftenAsTheyAreAskedFor();
     void heartbeatsGoOnWhileSamplesAreTaken();
+    void whenTheProgramIsKilledTheMotorStands200MillisecondsLater();
     void withoutCallsTheMotorStopsAndTheNextOneSaysWhy();
     void whatIsBeyondALimitIsRefused_data();
     void whatIsBeyondALimitIsRefused();
@@ -156,6 +157,26 @@ void BoardTiltTest::heartbeatsGoOnWhileSamplesAreTaken()
     QVERIFY(rig.watch(5s));
 
     QCOMPARE(rig.state(), State::Armed);
+}
+
+void BoardTiltTest::whenTheProgramIsKilledTheMotorStands200MillisecondsLater()
+{
+    for (const auto when : {300ms, 310ms, 320ms, 330ms, 340ms, 350ms}) {
+        BoardRig rig;
+        QVERIFY(rig.tilt.connect({}));
+        QVERIFY(rig.tilt.arm({}));
+        QVERIFY(rig.tilt.moveTo(degrees(170.0), rig.tilt.fastest()));
+        QVERIFY(rig.watch(when));
+
+        const auto killed = rig.clock.now();  // nothing is called any more
+
+        QVERIFY(rig.pitchAt(killed + 90ms) > rig.pitchAt(killed + 80ms));
+        const double rest = rig.pitchAt(killed + 200ms);
+        for (const auto later : {250ms, 1000ms, 5000ms})
+            QCOMPARE(rig.pitchAt(killed + later), rest);
+        QVERIFY(rest < degrees(169.0));
+        QCOMPARE(rig.board->torque(), 1000);
+    }
 }
 
 void BoardTiltTest::withoutCallsTheMotorStopsAndTheNextOneSaysWhy()
