@@ -46,7 +46,7 @@ public:
     int control(const UsbRequest& request, std::span<const std::uint8_t> data = {}) const;
 
 private:
-    UsbHandle(std::shared_ptr<UsbBus> bus, const UsbDevice& device) : bus_(std::move(bus)), device_(device) {}
+    UsbHandle(std::shared_ptr<UsbBus> bus, UsbDevice device) : bus_(std::move(bus)), device_(std::move(device)) {}
     int claim();
 
     std::shared_ptr<UsbBus> bus_;

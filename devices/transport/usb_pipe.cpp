@@ -13,7 +13,7 @@ namespace planewright {
 
 namespace {
 
-constexpr std::size_t kTransferSize = 16 * 1024;  // of whole packets, whatever their size
+constexpr std::size_t kTransferSize = std::size_t{16} << 10;  // of whole packets, whatever their size
 constexpr int kMostStalls = 3;
 constexpr std::chrono::nanoseconds kFetchAfter = std::chrono::milliseconds{50};
 
@@ -118,9 +118,9 @@ Result<void> UsbPipe::write(std::span<const std::uint8_t> bytes, std::chrono::na
         if (queue_.ended() || (sent.status == LIBUSB_TRANSFER_CANCELLED && bytes.empty()))
             break;
         if (sent.status == LIBUSB_TRANSFER_CANCELLED)
-            return fail(ErrorCode::DeviceLost, name_ + ": the device has not taken what was sent, " +
+            return fail(ErrorCode::DeviceLost, name_ + ": the device does not take what is sent to it (" +
                                                    std::to_string(bytes.size()) +
-                                                   " bytes of it; check its power and connect it again");
+                                                   " bytes are left); check its power and connect it again");
         if (sent.status != LIBUSB_TRANSFER_STALL || ++stalls > kMostStalls)
             return tl::unexpected<Error>(usbFailed(name_, "sending"));
         libusb_clear_halt(handle_->get(), handle_->layout().out);

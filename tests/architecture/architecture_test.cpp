@@ -248,6 +248,8 @@ void ArchitectureTest::aDoorIsOpenOrClosed_data()
     row("core/planes/a.cpp", "<libusb-1.0/libusb.h>", false);
     row("core/planes/a.cpp", "<unistd.h>", false);
     row("devices/transport/a.cpp", "<libusb-1.0/libusb.h>", true);
+    row("devices/transport/a.cpp", "<libusb.h>", true);
+    row("devices/nodding/a.cpp", "<libusb.h>", false);
     row("devices/nodding/a.cpp", "<vtkActor.h>", false);
     row("ui/models/a.h", "<QAbstractItemModel>", true);
     row("ui/models/a.h", "<vtkActor.h>", false);
