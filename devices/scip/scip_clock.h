@@ -29,8 +29,15 @@ public:
     /// Arrivals after which the least delay is taken for that of the way.
     static constexpr int kSettled = 40;
 
+    /// Arrivals without answers after which the clocks are known: whatever has held up the first scans, so much silence
+    /// is taken for a stream that has ended.
+    static constexpr int kKnown = 16;
+
     /// Forgets what a scan before has told of the two clocks, but not how long the way takes.
     void restart();
+
+    /// Scans begin anew after a pause, in which the laser may have started anew itself: the next one comes promptly.
+    void expectPromptScan() { isPrompt_ = true; }
 
     /// The laser's answer in time mode, and when it was asked for and had come, by the host.
     void addAnswer(std::uint32_t stamp, Time asked, Time answered);
@@ -39,7 +46,9 @@ public:
     struct Scan {
         Time start{0};  ///< of step 0, by the host
         bool isNewEpoch = false;
+        bool isKnown = true;            ///< how the clocks stand to each other
         bool isLate = false;            ///< it came later than `period` after it should have
+        bool isBehind = false;          ///< it came nearly as late: its stamp may be that of the scan before
         int repeats = 0;                ///< how many scans before it had the same stamp
         std::int64_t milliseconds = 0;  ///< by the laser, from the zero of its epoch
     };
@@ -56,8 +65,10 @@ private:
 
     ScipStamps stamps_;
     int epoch_ = 0;
+    bool isPrompt_ = false;
     std::deque<Delay> least_;    ///< of the window: each is less than all that came after it
     int arrivals_ = 0;           ///< since the clocks were last compared anew
+    int behind_ = 0;             ///< scans that came late, one behind the other
     std::optional<Time> asked_;  ///< host minus laser, by the quickest answer in time mode
     Time quickest_{0};           ///< how long that took
     std::optional<Time> way_;    ///< the least time of the way of a scan

@@ -126,6 +126,7 @@ Result<void> ScipLaser::beginStream(const std::stop_token& stop)
     stream_ = request;
     damaged_ = 0;
     lastScan_ = link_.now();
+    clock_.expectPromptScan();
     return {};
 }
 
@@ -186,7 +187,7 @@ std::optional<LaserScan> ScipLaser::take(ScipFrame& frame, Time arrived)
     scan.first = timed.start + afterStep0(measurement_.first);
     scan.last = timed.start + afterStep0(measurement_.last);
     scan.arrived = arrived;
-    scan.timeSuspect = timed.isNewEpoch || timed.isLate || (lastEnd_ && scan.first < *lastEnd_);
+    scan.timeSuspect = !timed.isKnown || timed.isBehind || (lastEnd_ && scan.first < *lastEnd_);
     scan.ranges.reserve(frame.ranges.size());
     std::size_t valid = 0;
     for (const std::uint32_t raw : frame.ranges) {
@@ -288,6 +289,7 @@ Result<bool> ScipLaser::tryAgain(const std::stop_token& stop)
         return false;
     damaged_ = 0;
     lastScan_ = link_.now();
+    clock_.expectPromptScan();
     return true;
 }
 

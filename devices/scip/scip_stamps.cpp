@@ -9,12 +9,14 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// By which the clocks and the way of a stamp may differ between two stamps.
+/// By which time may seem to differ between two stamps, since the way of the first was long.
 constexpr std::int64_t kSlack = 5'000;
+/// The same where neither way is long.
+constexpr std::int64_t kPromptSlack = 500;
 
 }  // namespace
 
-ScipTime ScipStamps::take(std::uint32_t stamp, std::chrono::nanoseconds arrived)
+ScipTime ScipStamps::take(std::uint32_t stamp, std::chrono::nanoseconds arrived, bool isPrompt)
 {
     if (!hasLast_) {
         last_ = {stamp, last_.epoch + 1, false, 0};
@@ -26,7 +28,9 @@ ScipTime ScipStamps::take(std::uint32_t stamp, std::chrono::nanoseconds arrived)
         if (advance < -kScipClockRange / 2)
             advance += kScipClockRange;
         const std::int64_t passed = std::chrono::duration_cast<milliseconds>(arrived - arrived_).count();
-        const bool isNew = advance < 0 || advance > passed + passed / 100 + kSlack;
+        const std::int64_t drift = passed / 100;
+        const bool isNew =
+            advance < 0 || advance > passed + drift + kSlack || (isPrompt && advance < passed - drift - kPromptSlack);
         if (isNew)
             last_ = {stamp, last_.epoch + 1, true, 0};
         else

@@ -24,10 +24,11 @@ struct ScipTime {
 ///
 /// A stamp that is less than the one before by more than half of the range has passed its end; one that is less by less
 /// comes from a clock that was set to zero, and opens an epoch. So does one that has gone on by more than the time that
-/// passed here: a clock that was set to zero late in its range looks like one that has passed the end.
+/// passed here: a clock that was set to zero late in its range looks like one that has passed the end. Where a stamp is
+/// known to have come promptly, one that has gone on by less than that opens an epoch too.
 class ScipStamps {
 public:
-    ScipTime take(std::uint32_t stamp, std::chrono::nanoseconds arrived);
+    ScipTime take(std::uint32_t stamp, std::chrono::nanoseconds arrived, bool isPrompt = false);
 
     /// The next stamp opens an epoch silently: nothing is known of the time between.
     void forget();

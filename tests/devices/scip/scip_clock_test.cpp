@@ -24,16 +24,21 @@ private slots:
     void aSmallStepBackOpensAnEpoch();
     void aClockSetToZeroLateInItsRangeIsNotTakenForOneThatPassedTheEnd();
     void aJumpForwardBeyondTheTimeThatPassedOpensAnEpoch();
+    void aStampThatComesPromptlyHasGoneOnAsMuchAsTheTime();
     void theSameStampIsCounted();
     void nothingIsKnownOfWhatWasForgotten();
     void scansComeWhenTheyWereMeasuredByAnswersOfTimeMode();
     void withoutAnswersScansAreLateByTheWay();
+    void withoutAnswersTheClocksAreKnownAfterSomeScans();
     void theWayIsKnownFromAnswersBefore();
     void aClockThatDriftsIsFollowed_data();
     void aClockThatDriftsIsFollowed();
     void aScanThatIsLateIsToldAndDoesNotMoveTheOthers();
+    void theStampOfTheScanBeforeIsToldByItsArrival();
     void afterAResetTheWayIsStillKnown();
     void answersThatCannotBeTrueAreDropped();
+    void clocksThatDoNotStandAsTheyDidAreComparedAnew_data();
+    void clocksThatDoNotStandAsTheyDidAreComparedAnew();
     void theQuickestAnswerCounts();
 };
 
@@ -151,6 +156,18 @@ void ScipClockTest::aJumpForwardBeyondTheTimeThatPassedOpensAnEpoch()
     QVERIFY(stamps.take(9000, 50ms).isNewEpoch);
 }
 
+void ScipClockTest::aStampThatComesPromptlyHasGoneOnAsMuchAsTheTime()
+{
+    // Its clock has been set to zero meanwhile, and has gone on beyond what it showed.
+    for (const bool isPrompt : {false, true}) {
+        ScipStamps stamps;
+        stamps.take(1000, 0ms);
+        QCOMPARE(stamps.take(1100, 4s, isPrompt).isNewEpoch, isPrompt);
+        QVERIFY(!stamps.take(2100, 5s, isPrompt).isNewEpoch);
+        QVERIFY(!stamps.take(2600, 5s + 300ms, isPrompt).isNewEpoch);
+    }
+}
+
 void ScipClockTest::theSameStampIsCounted()
 {
     ScipStamps stamps;
@@ -204,6 +221,20 @@ void ScipClockTest::withoutAnswersScansAreLateByTheWay()
     }
 
     QVERIFY2(errors.least >= 2.5 && errors.most <= 3.6, qPrintable(QString::number(errors.most)));
+}
+
+void ScipClockTest::withoutAnswersTheClocksAreKnownAfterSomeScans()
+{
+    const Laser laser{-5000s};
+    ScipClock asked;
+    ask(asked, laser, 1s);
+    ScipClock unasked;
+    for (int scan = 1; scan <= 50; ++scan) {
+        const Time start = 2s + scan * kPeriod;
+        QVERIFY(asked.addScan(laser.stampAt(start), start + kEnd + 3ms, kEnd, kPeriod).isKnown);
+        const bool isKnown = unasked.addScan(laser.stampAt(start), start + kEnd + 3ms, kEnd, kPeriod).isKnown;
+        QCOMPARE(isKnown, scan >= 16);
+    }
 }
 
 void ScipClockTest::theWayIsKnownFromAnswersBefore()
@@ -261,6 +292,21 @@ void ScipClockTest::aScanThatIsLateIsToldAndDoesNotMoveTheOthers()
     QVERIFY(next.start - late.start == 25ms);
 }
 
+void ScipClockTest::theStampOfTheScanBeforeIsToldByItsArrival()
+{
+    const Laser laser{-100s};
+    ScipClock clock;
+    for (Time start = 2s; start < 4s; start += kPeriod)
+        clock.addScan(laser.stampAt(start), start + kEnd + 3ms, kEnd, kPeriod);
+
+    // The scan of 4 s did not come; the next one bears its stamp.
+    const ScipClock::Scan stale = clock.addScan(laser.stampAt(4s), 4s + 25ms + kEnd + 3ms, kEnd, kPeriod);
+    const ScipClock::Scan slow = clock.addScan(laser.stampAt(4s + 50ms), 4s + 50ms + kEnd + 21ms, kEnd, kPeriod);
+
+    QVERIFY(stale.isBehind);
+    QVERIFY(!slow.isBehind);
+}
+
 void ScipClockTest::afterAResetTheWayIsStillKnown()
 {
     ScipClock clock;
@@ -288,6 +334,36 @@ void ScipClockTest::answersThatCannotBeTrueAreDropped()
     const Time found = clock.addScan(laser.stampAt(2s), 2s + kEnd + 3ms, kEnd, kPeriod).start;
 
     QVERIFY(std::chrono::abs(found - 2s - 3ms) <= 1ms);
+}
+
+void ScipClockTest::clocksThatDoNotStandAsTheyDidAreComparedAnew_data()
+{
+    QTest::addColumn<int>("jump");  // of the laser's clock [ms]
+    QTest::newRow("ahead") << 300;
+    QTest::newRow("back") << -300;
+}
+
+void ScipClockTest::clocksThatDoNotStandAsTheyDidAreComparedAnew()
+{
+    QFETCH(int, jump);
+    const Laser before{-100s};
+    const Laser after{-100s - std::chrono::milliseconds{jump}};
+    ScipClock clock;
+    ask(clock, before, 1s);
+    Time start = 2s;
+    for (; start < 5s; start += kPeriod)
+        QVERIFY(clock.addScan(before.stampAt(start), start + kEnd + 3ms, kEnd, kPeriod).isKnown);
+
+    int doubtful = 0;
+    for (start += 1s; start < 20s; start += kPeriod) {
+        const ScipClock::Scan scan = clock.addScan(after.stampAt(start), start + kEnd + 3ms, kEnd, kPeriod);
+        if (!scan.isKnown || scan.isBehind)
+            ++doubtful;
+        else
+            QVERIFY(std::chrono::abs(scan.start - start) <= 1ms);
+    }
+
+    QVERIFY(doubtful > 0 && doubtful <= 2 * ScipClock::kKnown);
 }
 
 void ScipClockTest::theQuickestAnswerCounts()
