@@ -224,6 +224,11 @@ SessionStatus ScanSession::status() const
     return parts_->status();
 }
 
+std::vector<HealthFact> ScanSession::health() const
+{
+    return parts_->opened.source ? parts_->opened.source->health() : std::vector<HealthFact>{};
+}
+
 const Parameters& ScanSession::parameters() const
 {
     return parts_->parameters.back().parameters;

@@ -85,6 +85,8 @@ public:
     /// The scan as it was after a step, or after the last one before it; never null.
     std::shared_ptr<const SessionMap> mapAt(int step) const;
     SessionStatus status() const;
+    /// What the devices of the source say of themselves; nothing of a source that has none.
+    std::vector<HealthFact> health() const;
     /// In force for the next step, and for a rerun.
     const Parameters& parameters() const;
     /// What is said once about the corrected slices; those of map().

@@ -283,9 +283,14 @@ Result<void> NoddingSource::stopMotion()
     return pause();
 }
 
-NoddingHealth NoddingSource::health() const
+NoddingHealth NoddingSource::deviceHealth() const
 {
     return {devices_.laserHealth(), devices_.tiltHealth(), devices_.motor(), Time{largestSkew_}};
+}
+
+std::vector<HealthFact> NoddingSource::health() const
+{
+    return factsOf(deviceHealth());
 }
 
 }  // namespace planewright

@@ -12,19 +12,12 @@
 
 #include "devices/clock.h"
 #include "devices/nodding/device_pair.h"
+#include "devices/nodding/health_facts.h"
 #include "devices/nodding/scan_plan.h"
 #include "devices/nodding/slice_taker.h"
 #include "devices/scan_source.h"
 
 namespace planewright {
-
-/// What a device panel shows of a nodding scanner.
-struct NoddingHealth {
-    LinkHealth laser;
-    LinkHealth tilt;
-    MotorState motor;
-    std::chrono::nanoseconds largestSkew{0};  ///< farthest in time of an angle from a beam that it was used for
-};
 
 /// A laser on a tilt unit: two devices become one source of slices with measured angles (section 3.2, Fig. 2).
 ///
@@ -50,7 +43,8 @@ public:
     Result<void> resume() override;
     Result<void> stopMotion() override;
 
-    NoddingHealth health() const;
+    std::vector<HealthFact> health() const override;
+    NoddingHealth deviceHealth() const;
 
 private:
     using Time = std::chrono::nanoseconds;
