@@ -153,9 +153,10 @@ void DeviceControl::connectDevices(const DeviceSetup& setup)
         return;
     }
     NoddingSetup nodding = noddingOf(setup, *settings);
-    nodding.progress = [this](const std::string& line) {
+    // The session, which waits for whom it opens, is one of the parts: they are there as long as anybody calls this.
+    nodding.progress = [&parts = parts_](const std::string& line) {
         QMetaObject::invokeMethod(
-            this, [this, line] { parts_.say(QString::fromStdString(line)); }, Qt::QueuedConnection);
+            &parts, [&parts, line] { parts.say(QString::fromStdString(line)); }, Qt::QueuedConnection);
     };
     parts_.session.setNodding(nodding);
     scan_.open(QString::fromStdString(setup.laser));

@@ -166,7 +166,10 @@ Result<std::optional<ScanSlice>> NoddingSource::next(const std::stop_token& stop
             Result<std::optional<ScanSlice>> slice = takeSlice();
             if (slice && *slice)
                 return slice;
-            done = slice ? watchMotion() : tl::unexpected{slice.error()};
+            if (!slice)
+                done = tl::unexpected{slice.error()};
+            else if (isReady_)
+                done = watchMotion();
         }
         if (!done)
             return fault(done.error());
@@ -182,6 +185,11 @@ Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
         Result<std::optional<ScanSlice>> slice = taker_.take(std::move(*scan), devices_.track());
         if (!slice)
             return slice;
+        if (taker_.mustGoBack()) {
+            taker_.resume();
+            isReady_ = false;
+            return std::nullopt;
+        }
         if (!*slice)
             continue;
         largestSkew_ = taker_.largestSkew().count();

@@ -17,6 +17,9 @@ using Seconds = std::chrono::duration<double>;
 constexpr std::chrono::milliseconds kStuckAfter{300};
 constexpr int kSamplesOfRest = 3;
 constexpr int kMostSuspects = 2;
+/// One or two slices of a sweep that were lost leave a gap; for more the head goes back, some times in a scan.
+constexpr int kMostLost = 3;
+constexpr int kMostReturns = 3;
 /// A sweep begins and ends this much outside of its slices, so that the head has its speed within them.
 constexpr double kLeadIn = degrees(2.0);
 constexpr Seconds kLeadInTime{0.06};
@@ -66,6 +69,7 @@ void SliceTaker::aimed(Time now)
 void SliceTaker::resume()
 {
     resumed_ = true;
+    mustGoBack_ = false;
     suspects_ = 0;
 }
 
@@ -109,6 +113,11 @@ std::optional<ScanSlice> SliceTaker::takeSwept(LaserScan scan, const TiltTrack& 
     const std::optional<int> step = stepOf(scan, track);
     if (!step || *step < next_)
         return std::nullopt;
+    if (*step - next_ >= kMostLost && returns_ < kMostReturns) {
+        ++returns_;
+        mustGoBack_ = true;
+        return std::nullopt;
+    }
     if (*step >= plan_.slices) {
         next_ = plan_.slices;  // the last ones were lost
         return std::nullopt;

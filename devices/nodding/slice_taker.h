@@ -63,6 +63,9 @@ public:
     /// The next slice is taken after a fault.
     void resume();
 
+    /// True where so many slices of a sweep were lost at once that the head has to go back for them: resume() then.
+    bool mustGoBack() const { return mustGoBack_; }
+
     /// False where the head stands still though it is not where it should be.
     bool getsOn(const TiltTrack& track, Time now) const;
 
@@ -91,6 +94,8 @@ private:
     std::optional<Anchor> anchor_;  ///< the first slice of this sweep
     int suspects_ = 0;              ///< in a row
     bool resumed_ = false;
+    bool mustGoBack_ = false;
+    int returns_ = 0;  ///< how often it has gone back
 };
 
 }  // namespace planewright

@@ -81,7 +81,9 @@ struct ServoRig {
         settings.mounting = options.mounting;
         options.id = options.id == 1 ? settings.ids.front() : options.id;
         options.baud = settings.baud;
-        servo = EmulatedServo::make(settings, faults, [this] { return turn.load(); }).value();
+        servo = EmulatedServo::make(settings, faults, [this](std::chrono::nanoseconds /*now*/) {
+                    return turn.load();
+                }).value();
         auto emulated = std::make_unique<EmulatedLink>(servo, mutex, clock, "bus");
         auto recorded = std::make_unique<RecordedLink>(
             std::move(emulated), clock, settings.model == 1020 ? DynamixelProtocol::Two : DynamixelProtocol::One);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -47,6 +48,10 @@ public:
         return NoddingSource::open(devices(), plan, clock_, {});
     }
 
+    /// What is put between a device and its driver; empty: nothing.
+    using Wrap = std::function<std::unique_ptr<Transport>(std::unique_ptr<Transport>)>;
+    Wrap wrapLaser;
+    Wrap wrapTilt;
     int lasersOpened = 0;
     int unitsOpened = 0;
 
@@ -60,17 +65,24 @@ private:
         return std::unique_ptr<Base>(std::move(driver));
     }
 
+    std::unique_ptr<Transport> wrapped(std::shared_ptr<EmulatedDevice> device, const char* name, const Wrap& wrap)
+    {
+        std::unique_ptr<Transport> link =
+            std::make_unique<EmulatedLink>(std::move(device), rig_->mutex(), clock_, name);
+        return wrap ? wrap(std::move(link)) : std::move(link);
+    }
+
     Result<std::unique_ptr<Laser>> openLaser(const std::stop_token& stop)
     {
         ++lasersOpened;
-        auto link = std::make_unique<EmulatedLink>(rig_->laser(), rig_->mutex(), clock_, "laser");
+        auto link = wrapped(rig_->laser(), "laser", wrapLaser);
         return connected<ScipLaser, Laser>(std::make_unique<ScipLaser>(std::move(link), clock_), stop);
     }
 
     Result<std::unique_ptr<TiltUnit>> openTiltUnit(const std::stop_token& stop)
     {
         ++unitsOpened;
-        auto link = std::make_unique<EmulatedLink>(rig_->tilt(), rig_->mutex(), clock_, "tilt unit");
+        auto link = wrapped(rig_->tilt(), "tilt unit", wrapTilt);
         if (setup_.tilt == EmulatedRigSetup::Tilt::Board) {
             BoardTiltOptions options;
             options.mounting = mounting();

@@ -19,6 +19,7 @@ private slots:
     void aSweepEndsAtTheLimits();
     void turnsOfASweepBecomeItsSlices();
     void aLostTurnLeavesAGap();
+    void theHeadGoesBackForManyLostTurns();
     void everySecondTurnOfASlowSweepIsASlice();
     void aSweepDownwardsCountsDownwards();
     void aSweepGoesOnAtTheMissingSlice();
@@ -145,12 +146,30 @@ void SliceTakerTest::aLostTurnLeavesAGap()
     taker.aimed(-30ms);
     const TiltTrack track = movingTrack(degrees(40.0), degrees(40.0), 200ms);
 
-    const auto slices = takeTurns(taker, track, {0ms, 75ms, 100ms});
+    const auto slices = takeTurns(taker, track, {0ms, 50ms, 75ms, 100ms});
 
-    QCOMPARE(slices.size(), std::size_t(3));
-    QCOMPARE(slices[1].step, 3);
-    QVERIFY(isNear(slices[1].tilt, 43.0));
+    QCOMPARE(slices.size(), std::size_t(4));
+    QCOMPARE(slices[1].step, 2);
+    QVERIFY(isNear(slices[1].tilt, 42.0));
     QVERIFY(taker.isDone());
+}
+
+void SliceTakerTest::theHeadGoesBackForManyLostTurns()
+{
+    ScanPlan plan = smallPlan();
+    plan.slices = 20;
+    SliceTaker taker = takerOf(plan);
+    taker.aimed(-30ms);
+    const TiltTrack track = movingTrack(degrees(40.0), degrees(40.0), 400ms);
+
+    const auto slices = takeTurns(taker, track, {0ms, 25ms, 125ms});
+
+    QCOMPARE(slices.size(), std::size_t(2));
+    QVERIFY(taker.mustGoBack());
+    QCOMPARE(taker.next(), 2);
+    taker.resume();
+    QVERIFY(!taker.mustGoBack());
+    QVERIFY(isNear(taker.start().pitch, 42.0 - 2.4));
 }
 
 void SliceTakerTest::everySecondTurnOfASlowSweepIsASlice()
