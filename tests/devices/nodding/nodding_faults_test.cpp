@@ -121,7 +121,12 @@ void verifySlices(const Outcome& outcome, bool mayLie)
         QVERIFY(slice.step > last && slice.step < kSlices);
         last = slice.step;
         QCOMPARE(slice.ranges.size(), std::size_t(241));
-        QVERIFY2(mayLie || slice.angleSuspect || isMeasured(slice), qPrintable(QString("slice %1 at %2 to %3, time %4").arg(slice.step).arg(toDegrees(slice.tilt)).arg(toDegrees(slice.tiltEnd.value_or(0.0))).arg(slice.time.count())));
+        QVERIFY2(mayLie || slice.angleSuspect || isMeasured(slice),
+                 qPrintable(QString("slice %1 at %2 to %3, time %4")
+                                .arg(slice.step)
+                                .arg(toDegrees(slice.tilt))
+                                .arg(toDegrees(slice.tiltEnd.value_or(0.0)))
+                                .arg(slice.time.count())));
     }
 }
 
