@@ -15,6 +15,8 @@ using Seconds = std::chrono::duration<double>;
 /// How often a held unit is asked where it is: its own watchdog wants to hear of somebody.
 constexpr std::chrono::milliseconds kPauseTick{50};
 constexpr int kMostAttempts = 2;
+/// Without a slice for so long something is wrong with the links that neither driver has found.
+constexpr std::chrono::seconds kMostSilence{5};
 
 /// A motion that was refused since somebody has stopped it is no fault.
 Result<void> unlessHeld(Result<void> moved)
@@ -145,6 +147,7 @@ Result<void> NoddingSource::aim()
         return unlessHeld(moved);
     taker_.aimed(clock_.now());
     isAimed_ = true;
+    heardAt_ = clock_.now();
     return {};
 }
 
@@ -193,6 +196,7 @@ Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
         if (!*slice)
             continue;
         largestSkew_ = taker_.largestSkew().count();
+        heardAt_ = clock_.now();
         attempts_ = 0;
         // The head goes on while this slice is worked on.
         if (taker_.aimsForEach() && !taker_.isDone()) {
@@ -207,6 +211,11 @@ Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
 /// Errors (DeviceLost): the head does not get where it should. One at rest may have missed a command: it is told twice.
 Result<void> NoddingSource::watchMotion()
 {
+    if (clock_.now() - heardAt_ > kMostSilence)
+        return fail(ErrorCode::DeviceLost,
+                    name() +
+                        ": no slice that can be used has come for 5 s; look at the cables, and at "
+                        "what the devices say of themselves");
     if (taker_.getsOn(devices_.track(), clock_.now()))
         return {};
     if (taker_.aimsForEach() && ++attempts_ < kMostAttempts)

@@ -75,7 +75,8 @@ void SliceTaker::resume()
 
 Result<std::optional<ScanSlice>> SliceTaker::take(LaserScan scan, const TiltTrack& track)
 {
-    if (isDone() || scan.first < aimedAt_)
+    // Where the head was at a moment that is not known, nobody knows.
+    if (isDone() || scan.timeSuspect || scan.first < aimedAt_)
         return std::nullopt;
     std::optional<ScanSlice> slice =
         isSweep() ? takeSwept(std::move(scan), track) : takeResting(std::move(scan), track);

@@ -56,9 +56,9 @@ public:
     /// True where goal() is another after a slice than before.
     bool aimsForEach() const { return plan_.mode == ScanPlan::Mode::StepAndStare; }
 
-    /// The slice of a turn of the mirror; empty where the turn is none of the plan's slices, or no angle is near enough
-    /// in time. A slice whose angle is not as the head was told is marked; after the second in a row that is an error
-    /// (DeviceLost).
+    /// The slice of a turn of the mirror; empty where the turn is none of the plan's slices, its time is suspect, or no
+    /// angle is near enough in time. A slice whose angle is not as the head was told is marked; after the second in a
+    /// row that is an error (DeviceLost).
     Result<std::optional<ScanSlice>> take(LaserScan scan, const TiltTrack& track);
     /// The next slice is taken after a fault.
     void resume();

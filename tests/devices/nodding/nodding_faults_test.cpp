@@ -230,6 +230,9 @@ void NoddingFaultsTest::aFaultOfTheCableHeals()
                              .arg(fault.to / 1ms)
                              .arg(fault.rate)
                              .arg(fault.delay / 1ms);
+    verifySlices(outcome, false);
+    if (QTest::currentTestFailed())
+        qWarning("%s", qPrintable(what));
     QVERIFY2(outcome.isComplete,
              qPrintable(what +
                         (outcome.errors.empty() ? QString("no end") : QString::fromStdString(outcome.errors.back()))));
