@@ -31,7 +31,7 @@ bool meansLater(int error)
 /// what was sent last.
 void endInOrder(const Descriptor& socket)
 {
-    // No more than one can be behind: a laser goes on scanning meanwhile.
+    // Not without end: a laser goes on scanning meanwhile.
     constexpr int kMostReads = 64;
     std::vector<std::uint8_t> unread(std::size_t{1} << 16);
     ssize_t count = 1;
