@@ -31,10 +31,12 @@ bool meansLater(int error)
 /// what was sent last.
 void endInOrder(const Descriptor& socket)
 {
+    // Not without end: a laser goes on scanning meanwhile.
     constexpr int kMostReads = 64;
     std::vector<std::uint8_t> unread(std::size_t{1} << 16);
-    for (int reads = 0; reads<kMostReads&& ::read(socket.number(), unread.data(), unread.size())> 0; ++reads)
-        ;
+    ssize_t count = 1;
+    for (int reads = 0; reads < kMostReads && count > 0; ++reads)
+        count = ::read(socket.number(), unread.data(), unread.size());
     ::shutdown(socket.number(), SHUT_WR);
 }
 

@@ -372,7 +372,10 @@ void TcpLinkTest::aClosedLinkSendsWhatWasWrittenAndNothingMore()
 
     QVERIFY(!late);
     QCOMPARE(late.error().code, ErrorCode::DeviceLost);
-    QCOMPARE(receiveText(peer, 100), std::string("QT\n"));
+    QCOMPARE(receiveText(peer, 3), std::string("QT\n"));
+    // The end in order, and no break.
+    char byte = 0;
+    QCOMPARE(::read(peer.number(), &byte, 1), ssize_t{0});
 }
 
 void TcpLinkTest::aStopEndsReading()
