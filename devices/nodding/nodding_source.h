@@ -81,7 +81,7 @@ private:
     bool isReady_ = false;  ///< the head is where the next slice begins, and the laser scans
     bool isAimed_ = false;  ///< the unit has been told to go on from there
     int seenPauses_ = 0;
-    Time heardAt_{0};       ///< the last slice, or when it began
+    Time heardAt_{0};   ///< the last slice, or when it began
     int attempts_ = 0;  ///< to reach the angle of the next slice
     std::atomic<Time::rep> largestSkew_{0};
 };
