@@ -111,7 +111,7 @@ void DeviceControl::show(const std::vector<FoundDevice>& found)
 void DeviceControl::test()
 {
     const DeviceSetup setup = parts_.sourcePanel->devices().setup();
-    const Result<AcquisitionSettings> settings = acquisitionOf(setup);
+    const Result<AcquisitionSettings> settings = acquisitionWith(setup);
     if (!settings || work_.isBusy())
         return;
     checks_.clear();
@@ -147,7 +147,7 @@ void DeviceControl::takeCheck(std::size_t check, const std::optional<Result<std:
 
 void DeviceControl::connectDevices(const DeviceSetup& setup)
 {
-    const Result<AcquisitionSettings> settings = acquisitionOf(setup);
+    const Result<AcquisitionSettings> settings = acquisitionWith(setup);
     if (!settings) {
         parts_.problem(tr("devices"), settings.error());
         return;

@@ -85,7 +85,7 @@ Result<AcquisitionSettings> acquisitionOf(const SimulationSetup& setup)
     return settings;
 }
 
-Result<AcquisitionSettings> acquisitionOf(const DeviceSetup& setup)
+Result<AcquisitionSettings> acquisitionWith(const DeviceSetup& setup)
 {
     SimulationSetup same;
     same.firstTilt = setup.firstTilt;

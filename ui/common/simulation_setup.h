@@ -34,7 +34,7 @@ Result<AcquisitionSettings> acquisitionOf(const SimulationSetup& setup);
 
 /// The same of a scan with devices, which has the laser's own resolution: 0.25° here. Stepping takes three turns of the
 /// mirror for each slice, about.
-Result<AcquisitionSettings> acquisitionOf(const DeviceSetup& setup);
+Result<AcquisitionSettings> acquisitionWith(const DeviceSetup& setup);
 
 /// `sim:SCENE?seed=N&speed=X`: what an address says of it.
 std::string addressOf(const SimulationSetup& setup);

@@ -109,7 +109,7 @@ void SourcePanel::check()
     if (form == simulator_)
         settings = acquisitionOf(simulator_->setup());
     if (form == devices_) {
-        settings = acquisitionOf(devices_->setup());
+        settings = acquisitionWith(devices_->setup());
         problem = devices_->problem();
         isUnfilled = !problem.isEmpty();
     }

@@ -398,7 +398,8 @@ void EmulatedServoTest::faultsComeAtTheirTurnOfTheLaser()
 {
     int turn = 0;
     const std::vector<FaultAt> faults{{"servo-silent", 40}};
-    const auto servo = EmulatedServo::make(rx64(), faults, [&turn] { return turn; }).value();
+    const auto servo =
+        EmulatedServo::make(rx64(), faults, [&turn](std::chrono::nanoseconds /*now*/) { return turn; }).value();
     const auto answers = [&](std::chrono::nanoseconds now) {
         servo->receive(hexBytes("FF FF 01 02 01 FB"), now);
         return !servo->takeOutput(now + 100ms).empty();
