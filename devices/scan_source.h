@@ -6,11 +6,19 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "core/types/error.h"
 #include "core/types/recording.h"
 
 namespace planewright {
+
+/// Something that a source says of how it is: a rate, a temperature.
+struct HealthFact {
+    std::string name;
+    std::string value;
+    bool isTrouble = false;
+};
 
 /// Where slices come from: a scanner, a simulated one, or a recording. All code above sees no more of them than this.
 ///
@@ -53,6 +61,9 @@ public:
     {
         return fail(ErrorCode::Usage, name() + ": a scanner has the speed that it has");
     }
+
+    /// How it is now, for a panel; nothing of a source that is no device. Any thread.
+    virtual std::vector<HealthFact> health() const { return {}; }
 
     /// Stops whatever moves, at once, in every state; scanning does not go on by itself afterwards. A recording has
     /// nothing that moves.

@@ -3,12 +3,10 @@
 
 #include "devices/source_address.h"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <string_view>
-#include <vector>
+#include <utility>
 
+#include "devices/address_text.h"
 #include "devices/pacer.h"
 
 namespace planewright {
@@ -17,28 +15,17 @@ namespace {
 
 constexpr std::string_view kSimulation = "sim:";
 constexpr std::string_view kReplay = "replay:";
-/// Kinds that files are not taken for.
-constexpr std::array<std::string_view, 5> kDevices{"usb:", "tcp:", "serial:", "dynamixel:", "board:"};
-
-template <class Number>
-bool reads(std::string_view text, Number& number)
-{
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size();
-}
 
 /// Sets what one KEY=VALUE says; gives what is wrong with it, or nothing.
-std::string takeOption(std::string_view option, SourceAddress& address)
+std::string takeOption(std::string_view key, std::string_view value, SourceAddress& address)
 {
-    const std::size_t equals = std::min(option.find('='), option.size());
-    const std::string_view key = option.substr(0, equals);
-    const std::string value{option.substr(std::min(equals + 1, option.size()))};
+    const std::string given = std::string{key} + " '" + std::string{value} + "' is not ";
     if (key == "seed" && address.kind == SourceAddress::Kind::Simulation) {
-        if (!reads(value, address.seed))
-            return "seed '" + value + "' is not a whole number from 0 to 18446744073709551615";
+        if (!readsNumber(value, address.seed))
+            return given + "a whole number from 0 to 18446744073709551615";
     } else if (key == "speed") {
-        if (!reads(value, address.speed) || !isReplaySpeed(address.speed))
-            return "speed '" + value + "' is not 0, as fast as possible, or a number from 0.01 to 1000";
+        if (!readsNumber(value, address.speed) || !isReplaySpeed(address.speed))
+            return given + "0, as fast as possible, or a number from 0.01 to 1000";
     } else {
         return "there is no option '" + std::string{key} +
                "'; known: " + (address.kind == SourceAddress::Kind::Simulation ? "seed, speed" : "speed");
@@ -46,21 +33,20 @@ std::string takeOption(std::string_view option, SourceAddress& address)
     return {};
 }
 
-std::string takeOptions(std::string_view options, SourceAddress& address)
+Result<SourceAddress> laserAt(const std::string& text)
 {
-    std::vector<std::string_view> keys;
-    while (!options.empty()) {
-        const std::size_t end = std::min(options.find('&'), options.size());
-        const std::string_view option = options.substr(0, end);
-        options.remove_prefix(std::min(end + 1, options.size()));
-        const std::string_view key = option.substr(0, option.find('='));
-        if (std::find(keys.begin(), keys.end(), key) != keys.end())
-            return "the option '" + std::string{key} + "' is given twice";
-        keys.push_back(key);
-        if (std::string problem = takeOption(option, address); !problem.empty())
-            return problem;
-    }
-    return {};
+    Result<DeviceAddress> device = parseDeviceAddress(text);
+    if (!device)
+        return tl::unexpected<Error>(device.error());
+    if (device->unit != DeviceAddress::Unit::Laser)
+        return fail(ErrorCode::Usage, "'" + text +
+                                          "': is a tilt unit; the scanner is its laser, as in usb:, "
+                                          "tcp:192.168.0.10:10940 or serial:/dev/ttyACM0");
+    SourceAddress address;
+    address.kind = SourceAddress::Kind::Laser;
+    address.name = text;
+    address.laser = std::move(*device);
+    return address;
 }
 
 }  // namespace
@@ -68,10 +54,8 @@ std::string takeOptions(std::string_view options, SourceAddress& address)
 Result<SourceAddress> parseSourceAddress(const std::string& text)
 {
     const auto refuse = [&](const std::string& why) { return fail(ErrorCode::Usage, "'" + text + "': " + why); };
-    for (const std::string_view device : kDevices) {
-        if (text.starts_with(device))
-            return refuse("this version knows no scanners yet; give sim:SCENE, replay:FILE or a file");
-    }
+    if (isDeviceAddress(text))
+        return laserAt(text);
     SourceAddress address;
     std::string_view rest = text;
     if (rest.starts_with(kSimulation)) {
@@ -82,12 +66,11 @@ Result<SourceAddress> parseSourceAddress(const std::string& text)
         rest.remove_prefix(kReplay.size());
     }
     if (address.kind != SourceAddress::Kind::File) {
-        const std::size_t mark = rest.rfind('?');
-        if (mark != std::string_view::npos) {
-            if (const std::string problem = takeOptions(rest.substr(mark + 1), address); !problem.empty())
-                return refuse(problem);
-            rest = rest.substr(0, mark);
-        }
+        const std::string problem = readOptions(takeOptions(rest), [&](std::string_view key, std::string_view value) {
+            return takeOption(key, value, address);
+        });
+        if (!problem.empty())
+            return refuse(problem);
     }
     if (rest.empty())
         return refuse(address.kind == SourceAddress::Kind::Simulation ? "give a scene, as in sim:corridor"

@@ -19,6 +19,8 @@ void addExtractCommand(CLI::App& program, Command& chosen);
 void addCalibrateCommand(CLI::App& program, Command& chosen);
 void addSimulateCommand(CLI::App& program, Command& chosen);
 void addRecordCommand(CLI::App& program, Command& chosen);
+void addEmulateCommand(CLI::App& program, Command& chosen);
+void addDevicesCommand(CLI::App& program, Command& chosen);
 void addConvertCommand(CLI::App& program, Command& chosen);
 void addInfoCommand(CLI::App& program, Command& chosen);
 void addValidateCommand(CLI::App& program, Command& chosen);

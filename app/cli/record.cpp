@@ -17,8 +17,8 @@
 #include "app/cli/parameter_options.h"
 #include "app/cli/plane_table.h"
 #include "app/cli/progress.h"
+#include "app/cli/scan_setup_options.h"
 #include "app/cli/signal_watch.h"
-#include "app/cli/tilt_options.h"
 #include "app/files/file_kind.h"
 #include "app/files/recording_file.h"
 #include "app/session/loops/pwscan_recorder.h"
@@ -31,13 +31,15 @@ namespace planewright {
 
 namespace {
 
+constexpr std::chrono::milliseconds kLookEvery{50};
+
 struct RecordOptions {
     std::string scanner;
+    ScanSetupOptions setup;
     std::string output;
     bool append = false;
     bool extract = false;
-    std::string tilt;
-    int slices = 0;  ///< as --tilt says
+    int retries = 0;  ///< after a fault of the devices
     ParameterOptions parameters;
 };
 
@@ -48,28 +50,19 @@ struct ScanNews {
     std::optional<Error> notClosed;  ///< of the recording
 };
 
-Result<AcquisitionSettings> settingsOf(const RecordOptions& options)
-{
-    AcquisitionSettings settings;  // Table VIII
-    if (const auto tilt = takeTilt(options.tilt, options.slices, settings); !tilt)
-        return tl::unexpected{tilt.error()};
-    return settings;
-}
-
-Result<OpenedSource> openScanner(const RecordOptions& options)
+Result<OpenedSource> openScanner(const RecordOptions& options, const std::stop_token& stop)
 {
     const auto address = parseSourceAddress(options.scanner);
     if (!address)
         return fail(address.error().code, "--scanner: " + address.error().message);
     if (address->kind == SourceAddress::Kind::File)
-        return fail(ErrorCode::Usage, "--scanner: '" + options.scanner + "' is no scanner; give sim:SCENE, or replay:" +
+        return fail(ErrorCode::Usage, "--scanner: '" + options.scanner +
+                                          "' is no scanner; give usb:, tcp:HOST:PORT or sim:SCENE, or replay:" +
                                           options.scanner + " to record it once more");
-    if (address->kind == SourceAddress::Kind::Replay && (!options.tilt.empty() || options.slices > 0))
-        return fail(ErrorCode::Usage, "--tilt, --slices: a replay has the slices of its recording; leave them out");
-    const auto settings = settingsOf(options);
-    if (!settings)
-        return tl::unexpected{settings.error()};
-    return openSource(*address, {*settings, defaultSimulationNoise(), 1, 1.0}, steadyClock(), {});
+    const auto setup = sourceSetupOf(options.setup, address->kind);
+    if (!setup)
+        return tl::unexpected{setup.error()};
+    return openSource(*address, *setup, steadyClock(), stop);
 }
 
 Result<Parameters> parametersOf(const RecordOptions& options, const std::string& scanner)
@@ -105,11 +98,37 @@ Result<std::unique_ptr<SliceRecorder>> beginRecording(const RecordOptions& optio
     return recorder;
 }
 
-ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline)
+/// Opens on a thread of its own, since a device may be waited for: a signal ends that.
+Result<OpenedSource> openWatched(const RecordOptions& options, const SignalWatch& signals)
+{
+    std::optional<Result<OpenedSource>> opened;
+    std::atomic<bool> isDone{false};
+    {
+        std::jthread opening([&](const std::stop_token& stop) {
+            opened = openScanner(options, stop);
+            isDone = true;
+        });
+        while (!isDone) {
+            if (signals.wait(kLookEvery))
+                opening.request_stop();
+        }
+    }
+    return std::move(*opened);
+}
+
+ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline, int retries)
 {
     ScanEvents events;
     events.acquisition.onBegun = [] {};
-    events.acquisition.onFault = [&](const Error& error) {
+    events.acquisition.onFault = [&news, &pipeline, left = retries](const Error& error) mutable {
+        constexpr std::chrono::milliseconds kBackOff{500};
+        if (left > 0 && error.code != ErrorCode::Internal) {
+            --left;
+            printWarning(error.message + "; trying to go on");
+            std::this_thread::sleep_for(kBackOff);
+            pipeline->retry();
+            return;
+        }
         news.failure = error;
         pipeline->giveUp();
     };
@@ -130,7 +149,6 @@ ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline)
 /// Waits for the scan to be over; a signal ends it in order, a second one in a hurry. Gives the first.
 std::optional<int> waitFor(ScanPipeline& pipeline, const ScanNews& news, const SignalWatch& signals, int planned)
 {
-    constexpr std::chrono::milliseconds kLookEvery{50};
     Progress progress("recording, slice");
     std::optional<int> interrupted;
     while (!news.isOver) {
@@ -150,7 +168,8 @@ std::optional<int> waitFor(ScanPipeline& pipeline, const ScanNews& news, const S
 
 Result<ExitCode> record(const RecordOptions& options)
 {
-    Result<OpenedSource> opened = openScanner(options);
+    const SignalWatch signals;
+    Result<OpenedSource> opened = openWatched(options, signals);
     if (!opened)
         return tl::unexpected{opened.error()};
     for (const std::string& warning : opened->warnings)
@@ -162,11 +181,10 @@ Result<ExitCode> record(const RecordOptions& options)
     if (!recorder)
         return tl::unexpected{recorder.error()};
 
-    const SignalWatch signals;
     ScanNews news;
     ScanPipeline* running = nullptr;
     ScanPipeline pipeline{{opened->source, std::move(*recorder), {{0, *parameters}}, false, options.extract},
-                          eventsFor(news, running),
+                          eventsFor(news, running, options.retries),
                           steadyClock()};
     running = &pipeline;
     std::optional<int> interrupted;
@@ -203,16 +221,18 @@ void addRecordCommand(CLI::App& program, Command& chosen)
     CLI::App& command = *program.add_subcommand("record", "a recording of what a scanner sees now");
     auto options = std::make_shared<RecordOptions>();
     command
-        .add_option("--scanner", options->scanner,
-                    "sim:SCENE?seed=N&speed=X or replay:FILE?speed=X; speed 1 is real time, 0 as fast as possible")
+        .add_option(
+            "--scanner", options->scanner,
+            "a laser: usb:SERIAL, tcp:HOST:PORT or serial:PATH; or sim:SCENE?seed=N&speed=X or replay:FILE?speed=X, "
+            "where speed 1 is real time, 0 as fast as possible")
         ->type_name("ADDRESS")
         ->required();
+    addScanSetupOptions(command, options->setup);
+    addWholeNumber(command, "--retries", options->retries, 0, 100,
+                   "how often the scan goes on by itself at the missing slice after a device has failed (default 0)");
     command.add_option("-o", options->output, "recording to write (.pwscan)")->type_name("FILE")->required();
     command.add_flag("--append", options->append, "add the scan to a recording that is there");
     command.add_flag("--extract", options->extract, "extract planes meanwhile, and print them at the end");
-    command.add_option("--tilt", options->tilt, "pitch of the slices in degrees (default 10:170:1.16, 137 slices)")
-        ->type_name("A:B:STEP");
-    addWholeNumber(command, "--slices", options->slices, 1, kMaxSlices, "number of slices, whatever --tilt says");
     addParameterOptions(command, options->parameters);
     command.callback([options, &chosen] { chosen = [options] { return record(*options); }; });
 }

@@ -40,7 +40,7 @@ Result<void> ScanSession::open(const std::string& fileOrAddress)
     if (Result<void> allowed = parts_->request(SessionRequest::Open); !allowed)
         return allowed;
     parts_->openText = fileOrAddress;
-    parts_->opener.open(*address, parts_->options.simulation);
+    parts_->opener.open(*address, {parts_->options.simulation, parts_->options.nodding});
     parts_->tellState();
     return {};
 }
@@ -189,6 +189,11 @@ void ScanSession::setSimulation(const SimulatedScanner& simulation)
     parts_->options.simulation = simulation;
 }
 
+void ScanSession::setNodding(const NoddingSetup& nodding)
+{
+    parts_->options.nodding = nodding;
+}
+
 std::vector<SharedSlice> ScanSession::measuredSlices() const
 {
     return parts_->history.measured();
@@ -217,6 +222,11 @@ std::shared_ptr<const SessionMap> ScanSession::mapAt(int step) const
 SessionStatus ScanSession::status() const
 {
     return parts_->status();
+}
+
+std::vector<HealthFact> ScanSession::health() const
+{
+    return parts_->opened.source ? parts_->opened.source->health() : std::vector<HealthFact>{};
 }
 
 const Parameters& ScanSession::parameters() const

@@ -38,8 +38,8 @@ public:
 
     // Verbs.
 
-    /// Opens `sim:SCENE?seed=N&speed=X`: Connecting → Ready. `replay:FILE?speed=X`, or a plain file as fast as
-    /// possible: Connecting → Replaying → Review. What was open stays until the new one is there.
+    /// Opens `sim:SCENE?seed=N&speed=X`, or the address of a laser: Connecting → Ready. `replay:FILE?speed=X`, or a
+    /// plain file as fast as possible: Connecting → Replaying → Review. What was open stays until the new one is there.
     Result<void> open(const std::string& fileOrAddress);
     /// Ends opening, a replay or a rerun.
     Result<void> cancel();
@@ -73,6 +73,8 @@ public:
     void setRecordFolder(const std::string& folder);
     /// What the next `sim:` that is opened is set up with, but for the address's seed and speed.
     void setSimulation(const SimulatedScanner& simulation);
+    /// What the next laser that is opened is set up with.
+    void setNodding(const NoddingSetup& nodding);
 
     // What there is.
 
@@ -83,6 +85,8 @@ public:
     /// The scan as it was after a step, or after the last one before it; never null.
     std::shared_ptr<const SessionMap> mapAt(int step) const;
     SessionStatus status() const;
+    /// What the devices of the source say of themselves; nothing of a source that has none.
+    std::vector<HealthFact> health() const;
     /// In force for the next step, and for a rerun.
     const Parameters& parameters() const;
     /// What is said once about the corrected slices; those of map().

@@ -24,6 +24,7 @@ struct SessionOptions {
     std::string recordFolder;
     bool explain = true;                                                ///< snapshots tell every decision
     SimulatedScanner simulation{{}, defaultSimulationNoise(), 1, 1.0};  ///< what `sim:` is set up with; its own seed
+    NoddingSetup nodding;                                               ///< what a laser is set up with
     std::chrono::milliseconds frame{16};                                ///< mapChanged comes at most once in this time
     std::chrono::milliseconds statusEvery{250};                         ///< while something runs
     const Clock* clock = nullptr;  ///< of sources and loops; null: the machine's. A test brings its own.

@@ -139,8 +139,8 @@ void SessionParts::startScan()
         emit session.projectChanged();
     }
     auto next = std::make_unique<SessionRun>([this](const ScanEvents& events) {
-        auto work = std::make_unique<ScanPipeline>(ScanPlan{opened.source, recorder(), parameters, options.explain},
-                                                   events, clock);
+        auto work = std::make_unique<ScanPipeline>(
+            PipelineSetup{opened.source, recorder(), parameters, options.explain}, events, clock);
         pipeline = work.get();
         return work;
     });

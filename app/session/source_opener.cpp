@@ -10,10 +10,10 @@ namespace planewright {
 
 namespace {
 
-Result<OpenedSource> openGuarded(const SourceAddress& address, const SimulatedScanner& simulation, const Clock& clock,
+Result<OpenedSource> openGuarded(const SourceAddress& address, const SourceSetup& setup, const Clock& clock,
                                  const std::stop_token& stop)
 try {
-    return openSource(address, simulation, clock, stop);
+    return openSource(address, setup, clock, stop);
 } catch (const std::exception& exception) {
     return fail(ErrorCode::Internal, address.name + ": internal error: " + exception.what());
 }
@@ -27,14 +27,14 @@ SourceOpener::~SourceOpener()
         thread->wait();
 }
 
-void SourceOpener::open(const SourceAddress& address, const SimulatedScanner& simulation)
+void SourceOpener::open(const SourceAddress& address, const SourceSetup& setup)
 {
     cancel();
     forgetEnded();
     stop_ = {};
     const int number = number_;
-    threads_.emplace_back(QThread::create([this, address, simulation, number, stop = stop_.get_token()] {
-        auto result = std::make_shared<Result<OpenedSource>>(openGuarded(address, simulation, clock_, stop));
+    threads_.emplace_back(QThread::create([this, address, setup, number, stop = stop_.get_token()] {
+        auto result = std::make_shared<Result<OpenedSource>>(openGuarded(address, setup, clock_, stop));
         QMetaObject::invokeMethod(
             this,
             [this, result, number] {

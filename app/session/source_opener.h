@@ -23,7 +23,7 @@ public:
     /// Waits for what is being read: CSV ends soon, a `.pwscan` when it has been read.
     ~SourceOpener() override;
 
-    void open(const SourceAddress& address, const SimulatedScanner& simulation);
+    void open(const SourceAddress& address, const SourceSetup& setup);
     /// What is being opened will not come.
     void cancel();
 

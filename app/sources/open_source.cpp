@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "app/files/recording_file.h"
+#include "app/sources/device_opener.h"
 #include "core/formats/parameter_events.h"
+#include "devices/nodding/nodding_source.h"
 #include "devices/replay/replayed_recording.h"
 
 namespace planewright {
@@ -22,6 +24,30 @@ Result<OpenedSource> openRoom(const SourceAddress& address, SimulatedScanner sca
     scanner.speed = address.speed;
     OpenedSource opened;
     opened.source = std::make_shared<SimulatedRoom>(std::move(*scene), scanner, clock);
+    return opened;
+}
+
+Result<OpenedSource> openLaserOnTiltUnit(const DeviceAddress& laser, const NoddingSetup& setup, const Clock& clock,
+                                         const std::stop_token& stop)
+{
+    if (setup.tiltUnit.empty())
+        return fail(ErrorCode::Usage,
+                    "a laser needs a tilt unit to scan with; name it, as in dynamixel:usb: or board:usb:");
+    const Result<DeviceAddress> unit = parseDeviceAddress(setup.tiltUnit);
+    if (!unit)
+        return tl::unexpected{unit.error()};
+    const auto opener = std::make_shared<DeviceOpener>(clock, DeviceOptions{setup.dialogueFolder, setup.progress});
+    NoddingDevices devices{
+        [opener, laser](const std::stop_token& asked) { return opener->openLaser(laser, asked); },
+        [opener, unit = *unit](const std::stop_token& asked) { return opener->openTiltUnit(unit, asked); }};
+    Result<std::unique_ptr<NoddingSource>> source = NoddingSource::open(std::move(devices), setup.plan, clock, stop);
+    // Of a device that is gone before the scan nothing was lost.
+    if (!source && source.error().code == ErrorCode::DeviceLost)
+        return fail(ErrorCode::NoDevice, source.error().message);
+    if (!source)
+        return tl::unexpected{source.error()};
+    OpenedSource opened;
+    opened.source = std::move(*source);
     return opened;
 }
 
@@ -64,14 +90,16 @@ SimulationNoise defaultSimulationNoise()
     return simulationNoise("default").value_or(SimulationNoise{});
 }
 
-Result<OpenedSource> openSource(const SourceAddress& address, const SimulatedScanner& simulation, const Clock& clock,
+Result<OpenedSource> openSource(const SourceAddress& address, const SourceSetup& setup, const Clock& clock,
                                 const std::stop_token& stop)
 {
     switch (address.kind) {
         case SourceAddress::Kind::Simulation:
-            return openRoom(address, simulation, clock);
+            return openRoom(address, setup.simulation, clock);
         case SourceAddress::Kind::Replay:
             return openFile(address.name, address.speed, clock, stop);
+        case SourceAddress::Kind::Laser:
+            return openLaserOnTiltUnit(address.laser, setup.nodding, clock, stop);
         case SourceAddress::Kind::File:
             break;
     }

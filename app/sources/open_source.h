@@ -13,7 +13,9 @@
 #include "core/formats/pwscan_project.h"
 #include "core/formats/recording_pwscan.h"
 #include "devices/emulated/simulated_room.h"
+#include "devices/nodding/scan_plan.h"
 #include "devices/scan_source.h"
+#include "devices/scip/scip_connect.h"
 #include "devices/source_address.h"
 
 namespace planewright {
@@ -28,15 +30,30 @@ struct OpenedSource {
     std::vector<StoredEdit> edits;           ///< of this scan
 };
 
+/// What a laser on a tilt unit is set up with.
+struct NoddingSetup {
+    std::string tiltUnit;        ///< its address; empty: none was given
+    ScanPlan plan;               ///< of Table VIII where nobody says otherwise
+    std::string dialogueFolder;  ///< where the dialogues with the devices are recorded; empty: nowhere
+    ScipProgress progress;       ///< told what is waited for while a device starts up, in the thread that opens it
+};
+
+/// What sources are set up with, by kind.
+struct SourceSetup {
+    SimulatedScanner simulation;  ///< of `sim:`, but for the address's seed and speed
+    NoddingSetup nodding;         ///< of a laser's address
+};
+
 /// Noise of simulated scanners where nobody says otherwise: `default`.
 SimulationNoise defaultSimulationNoise();
 
-/// Opens what an address names; a file may take seconds, a simulation takes none. `simulation` is what a simulated
-/// scanner is set up with, but for the address's seed and speed. A plain file is a replay as fast as possible.
+/// Opens what an address names; files and devices may take seconds, a simulation takes none. A plain file is a replay
+/// as fast as possible. Nothing moves before the source is begun.
 ///
-/// A stop ends the reading of CSV soon, with an Interrupted error. Errors: Usage for an unknown scene, which lists
-/// those known, and a file of no known kind; Unreadable for a file, naming it.
-Result<OpenedSource> openSource(const SourceAddress& address, const SimulatedScanner& simulation, const Clock& clock,
+/// A stop ends the reading of CSV and the waiting for devices soon, with an Interrupted error. Errors: Usage for an
+/// unknown scene, which lists those known, a file of no known kind, a laser without a tilt unit and a plan that the
+/// devices cannot carry out; Unreadable for a file, naming it; NoDevice.
+Result<OpenedSource> openSource(const SourceAddress& address, const SourceSetup& setup, const Clock& clock,
                                 const std::stop_token& stop);
 
 }  // namespace planewright

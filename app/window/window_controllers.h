@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/window/clip_control.h"
+#include "app/window/device_control.h"
 #include "app/window/file_control.h"
 #include "app/window/kept_view.h"
 #include "app/window/measure_control.h"
@@ -20,6 +21,7 @@ struct WindowControllers {
         : view(parts, follower),
           clip(parts),
           scan(parts),
+          devices(parts, scan),
           edits(parts),
           measure(parts),
           files(parts, scan),
@@ -32,6 +34,7 @@ struct WindowControllers {
     ViewControl view;
     ClipControl clip;
     ScanControl scan;
+    DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;
     FileControl files;

@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "core/geometry/tangents.h"
+#include "core/planes/segment_formulas.h"
 #include "core/segments/line_piece.h"
 
 namespace planewright {
@@ -18,130 +19,37 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Derivatives of a segment's distance to the plane by the unknowns, at its centroid and along it.
-struct Row {
-    double first, second;            ///< by the tangent angles at the centroid; by d it is −1
-    double firstSlope, secondSlope;  ///< along the line
-    double distance;                 ///< at the linearisation point
-    double inclination;
-    double pitch;
-    double pitchSlope;
-};
-
-inline Row rowOf(const PlaneInSlice& seen, const SegmentStatistics& s)
+SegmentNumbers<double> numbersOf(const SegmentStatistics& s)
 {
-    return {seen.first.at(s.u, s.v),
-            seen.second.at(s.u, s.v),
-            seen.first.along(s.directionU, s.directionV),
-            seen.second.along(s.directionU, s.directionV),
-            seen.distance.at(s.u, s.v),
-            seen.distance.along(s.directionU, s.directionV),
-            seen.pitch.at(s.u, s.v),
-            seen.pitch.along(s.directionU, s.directionV)};
+    return {s.u, s.v, s.directionU, s.directionV, s.offsetInformation, s.slopeInformation, s.length()};
 }
 
-/// Extent across the ray, in standard deviations of a range, below which it is noise that directs a segment's line.
-constexpr double kDirectedSigmas = 2.0;
+/// Distance, slopes and variances of a segment as a plane is seen in its slice.
+struct Seen {
+    SegmentRow<double> row;
+    SegmentVariances<double> variances;
 
-/// True where the points are noisier than they are apart: their line may run along the ray, and the noise across it is
-/// next to none then. What the plane says of the noise across itself holds whatever the line's direction.
-inline bool isDirectedByNoise(const SegmentStatistics& s, const NoiseParameters& noise)
-{
-    const double squaredRange = s.u * s.u + s.v * s.v;
-    const double aside = s.length() * (s.u * s.directionV - s.v * s.directionU);
-    const double told =
-        noise.rangeConstant * noise.rangeConstant + noise.rangeProportional * noise.rangeProportional * squaredRange;
-    return aside * aside < kDirectedSigmas * kDirectedSigmas * told * squaredRange;
-}
-
-/// Variances of a segment's distance to the plane at its centroid and of its slope, by the noise of its points.
-struct Variances {
-    double place;
-    double slope;
-};
-
-inline Variances variancesOf(const PlaneInSlice& seen, const SegmentStatistics& s, const Row& row,
-                             const NoiseParameters& noise)
-{
-    double steepness = seen.steepness;
-    if (isDirectedByNoise(s, noise))
-        steepness = varianceAcross(seen.distance.u, seen.distance.v, s.u, s.v, noise) /
-                    varianceAcross(-s.directionV, s.directionU, s.u, s.v, noise);
-    if (!noise.pitchCommon) {
-        // Pitch noise of its own for each point: it adds to the variance of every point.
-        const double perPoint = s.offsetInformation / s.points;
-        steepness += row.pitch * row.pitch * noise.pitch * noise.pitch * perPoint;
-    }
-    return {steepness / s.offsetInformation, steepness / s.slopeInformation};
-}
-
-/// The same with a floor [m²] of what the segment may be off as a whole; its slope may be off as if its ends were by
-/// twice the floor.
-inline Variances withFloor(Variances variances, const SegmentStatistics& segment, double squaredFloor)
-{
-    const double length = std::max(segment.length(), 1e-6);
-    return {variances.place + squaredFloor, variances.slope + 16.0 * squaredFloor / (length * length)};
-}
-
-/// Sums over the segments of a slice: information by (first, second, d), gradient, coupling with the pitch.
-struct SliceSums {
-    double i00 = 0.0, i01 = 0.0, i02 = 0.0, i11 = 0.0, i12 = 0.0, i22 = 0.0;
-    double g0 = 0.0, g1 = 0.0, g2 = 0.0;
-    double c0 = 0.0, c1 = 0.0, c2 = 0.0;
-    double chi = 0.0, pitchInformation = 0.0, pitchGradient = 0.0;
-
-    void operator+=(const SliceSums& other)
+    Seen(const PlaneInSlice& plane, const SegmentStatistics& s, const NoiseParameters& noise)
     {
-        i00 += other.i00;
-        i01 += other.i01;
-        i02 += other.i02;
-        i11 += other.i11;
-        i12 += other.i12;
-        i22 += other.i22;
-        g0 += other.g0;
-        g1 += other.g1;
-        g2 += other.g2;
-        c0 += other.c0;
-        c1 += other.c1;
-        c2 += other.c2;
-        chi += other.chi;
-        pitchInformation += other.pitchInformation;
-        pitchGradient += other.pitchGradient;
+        const SegmentNumbers<double> numbers = numbersOf(s);
+        takeRow(plane, numbers, row);
+        double steepness = plane.steepness;
+        // Where the points are noisier than they are apart their line may run along the ray, and the noise across it is
+        // next to none then. What the plane says of the noise across itself holds whatever the line's direction.
+        double aside = 0.0;
+        double least = 0.0;
+        takeExtent(numbers, noise, aside, least);
+        if (aside < least)
+            steepness = varianceAcross(plane.distance.u, plane.distance.v, s.u, s.v, noise) /
+                        varianceAcross(-s.directionV, s.directionU, s.u, s.v, noise);
+        if (!noise.pitchCommon) {
+            // Pitch noise of its own for each point: it adds to the variance of every point.
+            const double perPoint = s.offsetInformation / s.points;
+            steepness += row.pitch * row.pitch * noise.pitch * noise.pitch * perPoint;
+        }
+        variances = {steepness / s.offsetInformation, steepness / s.slopeInformation};
     }
 };
-
-/// Those of one segment, which most slices have of a plane.
-inline SliceSums sumsOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise,
-                        double squaredFloor)
-{
-    const Row row = rowOf(seen, segment);
-    Variances variances = variancesOf(seen, segment, row, noise);
-    if (squaredFloor > 0.0)
-        variances = withFloor(variances, segment, squaredFloor);
-    const double place = 1.0 / variances.place;
-    const double slope = 1.0 / variances.slope;
-    const double p0 = place * row.first;
-    const double p1 = place * row.second;
-    const double s0 = slope * row.firstSlope;
-    const double s1 = slope * row.secondSlope;
-    SliceSums sums;
-    sums.i00 = p0 * row.first + s0 * row.firstSlope;
-    sums.i01 = p0 * row.second + s0 * row.secondSlope;
-    sums.i02 = -p0;
-    sums.i11 = p1 * row.second + s1 * row.secondSlope;
-    sums.i12 = -p1;
-    sums.i22 = place;
-    sums.g0 = row.distance * p0 + row.inclination * s0;
-    sums.g1 = row.distance * p1 + row.inclination * s1;
-    sums.g2 = -(row.distance * place);
-    sums.c0 = row.pitch * p0 + row.pitchSlope * s0;
-    sums.c1 = row.pitch * p1 + row.pitchSlope * s1;
-    sums.c2 = -(row.pitch * place);
-    sums.chi = place * row.distance * row.distance + slope * row.inclination * row.inclination;
-    sums.pitchInformation = place * row.pitch * row.pitch + slope * row.pitchSlope * row.pitchSlope;
-    sums.pitchGradient = place * row.pitch * row.distance + slope * row.pitchSlope * row.inclination;
-    return sums;
-}
 
 double commonPitchVariance(const NoiseParameters& noise)
 {
@@ -176,14 +84,31 @@ PlaneEstimate PlaneEstimate::afresh() const
     return estimate;
 }
 
+SegmentSums<double> PlaneEstimate::sumsOf(const PlaneInSlice& seen, const SegmentStatistics& segment,
+                                          const NoiseParameters& noise, double floor)
+{
+    Seen here(seen, segment, noise);
+    if (floor * floor > 0.0)
+        addFloor(numbersOf(segment), floor * floor, here.variances);
+    SegmentSums<double> sums;
+    takeSums(here.row, here.variances, sums);
+    return sums;
+}
+
 void PlaneEstimate::accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,
                                const NoiseParameters& noise, double floor, double sign)
 {
-    SliceSums sums;
+    SegmentSums<double> sums{};
     if (!segments.empty())
-        sums = sumsOf(seen, *segments.front(), noise, floor * floor);
+        sums = sumsOf(seen, *segments.front(), noise, floor);
     for (std::size_t i = 1; i < segments.size(); ++i)
-        sums += sumsOf(seen, *segments[i], noise, floor * floor);
+        sums += sumsOf(seen, *segments[i], noise, floor);
+    addSlice(sums, noise, sign);
+}
+
+/// Adds a slice's sums, or takes them away, with its pitch error eliminated.
+void PlaneEstimate::addSlice(const SegmentSums<double>& sums, const NoiseParameters& noise, double sign)
+{
     const auto [i00, i01, i02, i11, i12, i22, g0, g1, g2, c0, c1, c2, chi, pitchInformation, pitchGradient] = sums;
     const double variance = commonPitchVariance(noise);
     const double k = variance / (1.0 + variance * pitchInformation);
@@ -243,42 +168,33 @@ double PlaneEstimate::chiOf(const PlaneInSlice& seen, const SegmentStatistics& s
 {
     if (seen.steepness <= kLeastSteepness)
         return kInfinite;
-    const Row row = rowOf(seen, segment);
-    const Variances variances =
-        withFloor(variancesOf(seen, segment, row, noise), segment, floor * floor * seen.steepness);
+    Seen here(seen, segment, noise);
+    addFloor(numbersOf(segment), floor * floor * seen.steepness, here.variances);
     const double pitch = commonPitchVariance(noise);
-    const double distance = row.distance + row.first * step_[0] + row.second * step_[1] - step_[2];
-    const Eigen::Matrix3d& c = covariance_;
-    double place = variances.place + pitch * row.pitch * row.pitch;
-    if (withOwnVariance)
-        place += row.first * (c(0, 0) * row.first + 2.0 * (c(0, 1) * row.second - c(0, 2))) +
-                 row.second * (c(1, 1) * row.second - 2.0 * c(1, 2)) + c(2, 2);
+    const Eigen::Matrix3d* own = withOwnVariance ? &covariance_ : nullptr;
+    double distance = 0.0;
+    double inclination = 0.0;
+    double place = 0.0;
+    double chi = 0.0;
+    takeResidual(here.row, step_, distance, inclination);
+    takePlaceVariance(here.row, here.variances, pitch, own, place);
     if (distance * distance >= limit * place)
         return kInfinite;
-    const double inclination = row.inclination + row.firstSlope * step_[0] + row.secondSlope * step_[1];
-    double both = pitch * row.pitch * row.pitchSlope;
-    double slope = variances.slope + pitch * row.pitchSlope * row.pitchSlope;
-    if (withOwnVariance) {
-        const double spread0 = c(0, 0) * row.firstSlope + c(0, 1) * row.secondSlope;
-        const double spread1 = c(0, 1) * row.firstSlope + c(1, 1) * row.secondSlope;
-        const double spread2 = c(0, 2) * row.firstSlope + c(1, 2) * row.secondSlope;
-        both += row.first * spread0 + row.second * spread1 - spread2;
-        slope += row.firstSlope * spread0 + row.secondSlope * spread1;
-    }
-    return (slope * distance * distance - 2.0 * both * distance * inclination + place * inclination * inclination) /
-           (place * slope - both * both);
+    takeChi(here.row, here.variances, pitch, own, place, distance, inclination, chi);
+    return chi;
 }
 
 PitchEvidence PlaneEstimate::pitchEvidence(const PlaneInSlice& seen, const SegmentStatistics& segment,
                                            const NoiseParameters& noise, double floor) const
 {
-    const Row row = rowOf(seen, segment);
-    const Variances variances = withFloor(variancesOf(seen, segment, row, noise), segment, floor * floor);
-    const double distance = row.distance + row.first * step_[0] + row.second * step_[1] - step_[2];
-    const double inclination = row.inclination + row.firstSlope * step_[0] + row.secondSlope * step_[1];
-    const double pitch = row.pitch / variances.place;
-    const double pitchSlope = row.pitchSlope / variances.slope;
-    return {pitch * row.pitch + pitchSlope * row.pitchSlope, pitch * distance + pitchSlope * inclination};
+    Seen here(seen, segment, noise);
+    addFloor(numbersOf(segment), floor * floor, here.variances);
+    double distance = 0.0;
+    double inclination = 0.0;
+    PitchEvidence evidence;
+    takeResidual(here.row, step_, distance, inclination);
+    takeEvidence(here.row, here.variances, distance, inclination, evidence.information, evidence.gradient);
+    return evidence;
 }
 
 double mostVariance(const SegmentStatistics& segment, const Eigen::Vector3d& centroid, const NoiseParameters& noise,

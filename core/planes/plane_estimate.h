@@ -38,11 +38,11 @@ struct SliceFrame {
 SliceFrame frameOf(double tilt, const SensorModel& sensor);
 
 /// A linear function of the slice's coordinates: u·(…) + v·(…) + constant.
-struct SliceFunction {
-    double u = 0.0, v = 0.0, constant = 0.0;
+template <class Number>
+struct SliceFunctionOf {
+    Number u{}, v{}, constant{};
 
     double at(double pointU, double pointV) const { return u * pointU + v * pointV + constant; }
-    double along(double directionU, double directionV) const { return u * directionU + v * directionV; }
 };
 
 /// No steepness is taken for smaller, that of 3°: to a plane that holds the slice itself every line would be exact, and
@@ -50,13 +50,23 @@ struct SliceFunction {
 inline constexpr double kLeastSteepness = 2.7e-3;
 
 /// What a plane and the directions it can move in look like in a slice.
-struct PlaneInSlice {
-    SliceFunction distance;  ///< n·p − d
-    SliceFunction first;     ///< its derivative by the first tangent angle
-    SliceFunction second;    ///< by the second
-    SliceFunction pitch;     ///< by the slice's pitch
-    double steepness = 1.0;  ///< square of the distance's gradient in the slice: how noise across a line enters it
+template <class Number>
+struct PlaneInSliceOf {
+    SliceFunctionOf<Number> distance;  ///< n·p − d
+    SliceFunctionOf<Number> first;     ///< its derivative by the first tangent angle
+    SliceFunctionOf<Number> second;    ///< by the second
+    SliceFunctionOf<Number> pitch;     ///< by the slice's pitch
+    Number steepness{};  ///< square of the distance's gradient in the slice: how noise across a line enters it
 };
+using PlaneInSlice = PlaneInSliceOf<double>;
+
+class SegmentBatch;
+struct AskedPlane;
+struct PlaneKernels;
+/// The fastest loops over segments that this processor can run.
+const PlaneKernels& planeKernels();
+template <class Number>
+struct SegmentSums;
 
 /// What a segment tells of its slice's pitch error: sums over segments, of which gradient over information is the
 /// error.
@@ -121,6 +131,10 @@ public:
     void accumulate(const PlaneInSlice& seen, std::span<const SegmentStatistics* const> segments,
                     const NoiseParameters& noise, double floor, double sign);
 
+    /// Adds the segments of a batch, those of each slice together; floor as above.
+    void accumulate(const SegmentBatch& batch, const NoiseParameters& noise, double floor,
+                    const PlaneKernels& kernels = planeKernels());
+
     /// Moves to the most likely plane. False where the segments do not determine one.
     bool solve();
 
@@ -148,6 +162,14 @@ public:
     PitchEvidence pitchEvidence(const PlaneInSlice& seen, const SegmentStatistics& segment,
                                 const NoiseParameters& noise, double floor) const;
 
+    /// The same for each segment of a batch: `chis` and `evidences` are as many.
+    void joinChis(const SegmentBatch& batch, const NoiseParameters& noise, double floor, double limit,
+                  std::span<double> chis, const PlaneKernels& kernels = planeKernels()) const;
+    void residualChis(const SegmentBatch& batch, const NoiseParameters& noise, double floor, std::span<double> chis,
+                      const PlaneKernels& kernels = planeKernels()) const;
+    void pitchEvidences(const SegmentBatch& batch, const NoiseParameters& noise, double floor,
+                        std::span<PitchEvidence> evidences, const PlaneKernels& kernels = planeKernels()) const;
+
     /// χ² (3 degrees of freedom) of two planes being one, with a flatness floor [m] over an extent [m]. A plane's
     /// covariance grows by its scatter, that of its segments relative to their noise.
     double mergeChi(const PlaneEstimate& other, double floor, double extent, double scatter = 1.0,
@@ -156,6 +178,12 @@ public:
 private:
     double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise, double floor,
                  double limit, bool withOwnVariance) const;
+    void chisOf(const SegmentBatch& batch, const NoiseParameters& noise, double floor, double limit,
+                bool withOwnVariance, std::span<double> chis, const PlaneKernels& kernels) const;
+    AskedPlane asked(bool withOwnVariance) const;
+    static SegmentSums<double> sumsOf(const PlaneInSlice& seen, const SegmentStatistics& segment,
+                                      const NoiseParameters& noise, double floor);
+    void addSlice(const SegmentSums<double>& sums, const NoiseParameters& noise, double sign);
 
     Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();  // the estimate
     double distance_ = 0.0;

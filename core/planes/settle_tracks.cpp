@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
@@ -22,6 +24,8 @@ constexpr double kFewestPoints = 12.0;
 constexpr double kSettledAngle = 1e-3;
 /// Planes of more segments are not thinned out one by one.
 constexpr std::size_t kThinned = 60;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 struct Better {
     PlaneTrack* plane = nullptr;
@@ -83,7 +87,8 @@ double bentShare(const PlaneTrack& plane, const TrackMap& map)
     for (const SegmentNumber number : plane.members) {
         const SegmentStatistics& s = map.segment(number).statistics;
         const double freedom = std::max(1.0, s.points - 2.0);
-        if (s.chi > kStraightChi * (freedom + 4.0 * std::sqrt(2.0 * freedom)))
+        // The first question is enough for most, and spares them the root.
+        if (s.chi > kStraightChi * freedom && s.chi > kStraightChi * (freedom + 4.0 * std::sqrt(2.0 * freedom)))
             bent += s.points;
     }
     return static_cast<double>(bent) / static_cast<double>(plane.points);
@@ -100,15 +105,26 @@ double reducedChi(PlaneTrack& plane, TrackMap& map, const Parameters& parameters
 {
     if (map.holds(plane, plane.reducedAt))
         return plane.reducedChi;
-    double chi = 0.0;
-    for (const SegmentNumber number : plane.members) {
-        const TrackedSegment& s = map.segment(number);
-        chi += plane.estimate.residualChi(map.seenIn(plane, s.slice), s.statistics, parameters.noise,
-                                          parameters.flatnessFloor());
-    }
-    plane.reducedChi = chi / freedomOf(plane);
+    std::vector<double> chis(plane.members.size());
+    plane.estimate.residualChis(map.together(plane.members), parameters.noise, parameters.flatnessFloor(), chis);
+    plane.reducedChi = std::accumulate(chis.begin(), chis.end(), 0.0) / freedomOf(plane);
     plane.reducedAt = map.moment();
     return plane.reducedChi;
+}
+
+/// χ² of each segment against the plane that it belongs to, by its number.
+std::vector<double> chisOfMembers(TrackMap& map, const Parameters& parameters)
+{
+    std::vector<double> all(static_cast<std::size_t>(map.segments()));
+    std::vector<double> chis;
+    for (const PlaneTrack& plane : map.planes()) {
+        chis.resize(plane.members.size());
+        plane.estimate.joinChis(map.together(plane.members), parameters.noise, parameters.flatnessFloor(), kInfinite,
+                                chis);
+        for (std::size_t i = 0; i < chis.size(); ++i)
+            all[static_cast<std::size_t>(plane.members[i])] = chis[i];
+    }
+    return all;
 }
 
 }  // namespace
@@ -116,13 +132,12 @@ double reducedChi(PlaneTrack& plane, TrackMap& map, const Parameters& parameters
 void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
     const int step = map.slice(map.slices() - 1).step;
+    const std::vector<double> chis = chisOfMembers(map, parameters);
     std::vector<PlaneId> changed;
     for (SegmentNumber number = 0; number < map.segments(); ++number) {
         const PlaneId owner = map.segment(number).owner;
-        if (owner == kNoPlane)
-            continue;
-        const double chi = map.joinChi(map.plane(owner), number, parameters.noise, parameters.flatnessFloor());
-        if (chi <= kContent)
+        const double chi = chis[static_cast<std::size_t>(number)];
+        if (owner == kNoPlane || chi <= kContent)
             continue;
         const Better better = bestAround(number, map, parameters);
         const double gate = parameters.likelihood.joinGate;
@@ -151,6 +166,7 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
 {
     const int step = map.slice(map.slices() - 1).step;
     std::vector<PlaneId> thinned;
+    std::vector<double> chis;
     for (PlaneTrack& plane : map.planes()) {
         const std::size_t before = plane.members.size();
         while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
@@ -158,11 +174,10 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
             const double reduced = reducedChi(plane, map, parameters);
             if (reduced <= limit)
                 break;
-            const auto worst =
-                std::max_element(plane.members.begin(), plane.members.end(), [&](SegmentNumber a, SegmentNumber b) {
-                    return map.joinChi(plane, a, parameters.noise, parameters.flatnessFloor()) <
-                           map.joinChi(plane, b, parameters.noise, parameters.flatnessFloor());
-                });
+            chis.resize(plane.members.size());
+            plane.estimate.joinChis(map.together(plane.members), parameters.noise, parameters.flatnessFloor(),
+                                    kInfinite, chis);
+            const auto worst = plane.members.begin() + (std::max_element(chis.begin(), chis.end()) - chis.begin());
             recorder.decide(DecisionKind::Split, {PlaneRef{plane.id}, idOf(*worst, map)},
                             {{"reduced_chi2", reduced, Comparison::Greater, limit}}, {PlaneRef{plane.id}});
             map.segment(*worst).owner = kNoPlane;
@@ -216,15 +231,22 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
 void refineTracks(TrackMap& map, const Parameters& parameters)
 {
     const int step = map.slice(map.slices() - 1).step;
+    const double gate = parameters.likelihood.finalGate;
+    std::vector<double> chis;
+    std::vector<SegmentNumber> fitting;
     for (PlaneTrack& plane : map.planes()) {
         if (plane.slicesUnsolved > 0 || plane.estimate.angleFromLinearisation() > kSettledAngle)
             map.rebuild(plane, parameters);
-        const double gate = parameters.likelihood.finalGate;
-        const double floor = parameters.flatnessFloor();
-        const auto fits = [&](const PlaneEstimate& before, const PlaneInSlice& seen, const SegmentStatistics& segment) {
-            return before.joinChi(seen, segment, parameters.noise, floor, gate) < gate;
-        };
-        map.rebuild(plane, parameters.noise, 0.0, fits);
+        chis.resize(plane.members.size());
+        const SegmentBatch& members = map.together(plane.members);
+        plane.estimate.afresh().joinChis(members, parameters.noise, parameters.flatnessFloor(), gate, chis);
+        fitting.clear();
+        for (std::size_t i = 0; i < chis.size(); ++i) {
+            if (chis[i] < gate)
+                fitting.push_back(plane.members[i]);
+        }
+        const bool all = fitting.size() == plane.members.size();
+        map.rebuild(plane, all ? members : map.together(fitting), parameters.noise, 0.0);
         map.touch(plane, step);
     }
 }

@@ -97,10 +97,33 @@ void TrackMap::touch(PlaneTrack& plane, int step)
     stamp(plane);
 }
 
+const SegmentBatch& TrackMap::together(std::span<const SegmentNumber> numbers)
+{
+    together_.fill(numbers.size(), [&](std::size_t i) {
+        const TrackedSegment& s = segment(numbers[i]);
+        return SegmentBatch::Placed{&s.statistics, &slice(s.slice).frame};
+    });
+    return together_;
+}
+
+bool TrackMap::rebuild(PlaneTrack& plane, const SegmentBatch& counting, const NoiseParameters& noise, double floor)
+{
+    PlaneEstimate estimate(plane.estimate.normal(), plane.estimate.distance());
+    estimate.accumulate(counting, noise, floor);
+    if (!estimate.solve())
+        return false;
+    plane.estimate = estimate;
+    plane.fitted = counting.size();
+    plane.linearisedAt = plane.points;
+    plane.slicesUnsolved = 0;
+    plane.seenIn = -1;
+    stamp(plane);
+    return true;
+}
+
 bool TrackMap::rebuild(PlaneTrack& plane, const Parameters& parameters)
 {
-    const auto all = [](const PlaneEstimate&, const PlaneInSlice&, const SegmentStatistics&) { return true; };
-    return rebuild(plane, parameters.noise, parameters.noise.systematic, all);
+    return rebuild(plane, together(plane.members), parameters.noise, parameters.noise.systematic);
 }
 
 PlaneTrack* TrackMap::makePlane(std::vector<SegmentNumber> members, const PlaneEstimate& start, int step,

@@ -12,6 +12,7 @@
 
 #include "core/clusters/direction_clusters.h"
 #include "core/planes/plane_estimate.h"
+#include "core/planes/plane_kernels.h"
 #include "core/types/plane.h"
 #include "core/types/step_recorder.h"
 
@@ -149,11 +150,12 @@ public:
     /// Adds segments of one slice to a plane; it is solved anew when due.
     void join(PlaneTrack& plane, std::span<const SegmentNumber> numbers, int step, const Parameters& parameters);
 
-    /// Works the plane out anew from its members, linearised where it is now, with a floor [m] of what a segment may be
-    /// off as a whole. Members for which `counts(estimate, seen, statistics)` does not hold take no part in the fit; it
-    /// is given the plane as it is before, and how it is seen in the member's slice.
-    template <class Counts>
-    bool rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts);
+    /// The segments to be asked about a plane together; they hold until the next are.
+    const SegmentBatch& together(std::span<const SegmentNumber> numbers);
+
+    /// Works the plane out anew from these of its members, in order, linearised where it is now, with a floor [m] of
+    /// what a segment may be off as a whole.
+    bool rebuild(PlaneTrack& plane, const SegmentBatch& counting, const NoiseParameters& noise, double floor);
     /// The same with all members and the floor of growing planes (`noise.systematic`).
     bool rebuild(PlaneTrack& plane, const Parameters& parameters);
 
@@ -204,36 +206,7 @@ private:
     double firstBearing_ = 0.0;
     double tiltTravelled_ = 0.0;
     std::vector<const SegmentStatistics*> group_;
+    SegmentBatch together_;
 };
-
-template <class Counts>
-bool TrackMap::rebuild(PlaneTrack& plane, const NoiseParameters& noise, double floor, Counts counts)
-{
-    PlaneEstimate estimate(plane.estimate.normal(), plane.estimate.distance());
-    const PlaneEstimate before = plane.estimate.afresh();
-    int fitted = 0;
-    PlaneInSlice seen;
-    for (std::size_t i = 0; i < plane.members.size();) {
-        const int place = segment(plane.members[i]).slice;
-        estimate.look(slice(place).frame, seen);
-        group_.clear();
-        for (; i < plane.members.size() && segment(plane.members[i]).slice == place; ++i) {
-            const SegmentStatistics& statistics = segment(plane.members[i]).statistics;
-            if (counts(before, seen, statistics))
-                group_.push_back(&statistics);
-        }
-        fitted += static_cast<int>(group_.size());
-        estimate.accumulate(seen, group_, noise, floor, 1.0);
-    }
-    if (!estimate.solve())
-        return false;
-    plane.estimate = estimate;
-    plane.fitted = fitted;
-    plane.linearisedAt = plane.points;
-    plane.slicesUnsolved = 0;
-    plane.seenIn = -1;
-    stamp(plane);
-    return true;
-}
 
 }  // namespace planewright

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/geometry/beam_covariance.h"
+
 namespace planewright {
 
 namespace {
@@ -46,6 +48,31 @@ Eigen::Matrix<double, 3, 2> tangentsOf(const PlaneEstimate& estimate)
     return tangents;
 }
 
+/// Both end points of a segment with their covariances, side by side.
+void placeEnds(const SegmentStatistics& s, const SliceFrame& frame, const SensorModel& sensor,
+               const NoiseParameters& noise, LineSegment& segment)
+{
+    const Pair along{s.start, s.end};
+    const Pair u = s.u + along * s.directionU;
+    const Pair v = s.v + along * s.directionV;
+    const Pair squared = u * u + v * v;
+    const Pair range{std::sqrt(squared[0]), std::sqrt(squared[1])};
+    segment.start = frame.pointAt(u[0], v[0]);
+    segment.end = frame.pointAt(u[1], v[1]);
+    BeamJacobian<Pair> jacobian;
+    takeJacobian<Pair>(range, v / range, u / range, frame.ahead.y(), -frame.ahead.z(), sensor, jacobian);
+    const Pair proportional = noise.rangeProportional * range;
+    const Pair rangeVariance = noise.rangeConstant * noise.rangeConstant + proportional * proportional;
+    Pair covariance[3][3];
+    takeCovariance(jacobian, rangeVariance, noise.bearing * noise.bearing, noise.pitch * noise.pitch, covariance);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            segment.startCovariance(row, column) = covariance[row][column][0];
+            segment.endCovariance(row, column) = covariance[row][column][1];
+        }
+    }
+}
+
 }  // namespace
 
 double meanErrorOf(const PlaneTrack& plane)
@@ -70,16 +97,7 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
         segment.firstBeam = s.firstBeam;
         segment.lastBeam = s.lastBeam;
         segment.points = s.points;
-        const auto end = [&](double along, Eigen::Vector3d& point, Eigen::Matrix3d& covariance) {
-            const double u = s.u + along * s.directionU;
-            const double v = s.v + along * s.directionV;
-            const double range = std::sqrt(u * u + v * v);
-            point = slice.frame.pointAt(u, v);
-            const BeamDirection beam{v / range, u / range, slice.frame.ahead.y(), -slice.frame.ahead.z()};
-            covariance = cartesianCovariance(range, beam, sensor, noise);
-        };
-        end(s.start, segment.start, segment.startCovariance);
-        end(s.end, segment.end, segment.endCovariance);
+        placeEnds(s, slice.frame, sensor, noise, segment);
         const Eigen::Vector3d along = slice.frame.directionAt(s.directionU, s.directionV);
         segment.direction = -along;
         segment.viewpoint = slice.frame.origin;

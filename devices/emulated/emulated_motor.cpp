@@ -53,10 +53,11 @@ void EmulatedMotor::goTo(double goal, double speed, Time now)
     const double way = goal >= angle0 ? 1.0 : -1.0;
     const double distance = std::abs(goal - angle0);
     const double start = std::abs(v);
-    // The speed at which acceleration and braking fill the distance, if the limit does not come first.
-    const double top = std::max(start, std::min(speed, std::sqrt(a * distance + 0.5 * start * start)));
-    const double used = (top * top - start * start) / (2.0 * a) + top * top / (2.0 * a);
-    run(way * a, (top - start) / a);
+    // The speed at which acceleration and braking fill the distance, if the limit does not come first; a motor that is
+    // faster than the limit slows down to it.
+    const double top = std::min(speed, std::sqrt(a * distance + 0.5 * start * start));
+    const double used = (std::abs(top * top - start * start) + top * top) / (2.0 * a);
+    run(way * (top >= start ? a : -a), std::abs(top - start) / a);
     v = way * top;
     run(0.0, top > 0.0 ? std::max(0.0, distance - used) / top : 0.0);
     run(-way * a, top / a);
@@ -102,7 +103,9 @@ double EmulatedMotor::speed(Time at) const
 
 bool EmulatedMotor::isMoving(Time at) const
 {
-    return &pieceAt(at) != &pieces_.back();
+    // Not by whether a piece follows: one that stands may be followed by a later command.
+    const Piece& piece = pieceAt(at);
+    return piece.speed != 0.0 || piece.acceleration != 0.0;
 }
 
 const EmulatedMotor::Piece& EmulatedMotor::pieceAt(Time at) const

@@ -211,6 +211,7 @@ void ArchitectureTest::aDoorIsOpenOrClosed_data()
     row("ui/models/a.h", "\"ui/panels/plane_panel.h\"", false);
     row("ui/models/a.h", "\"ui/scene/map_scene.h\"", false);
     row("devices/transport/a.h", "\"devices/scan_source.h\"", false);
+    row("devices/transport/a.h", "\"devices/clock.h\"", true);
     row("ui/panels/a.h", "\"devices/scan_source.h\"", false);
     row("ui/panels/a.h", "\"app/session/scan_session.h\"", false);
     row("app/session/a.h", "\"devices/scan_source.h\"", true);
@@ -247,6 +248,8 @@ void ArchitectureTest::aDoorIsOpenOrClosed_data()
     row("core/planes/a.cpp", "<libusb-1.0/libusb.h>", false);
     row("core/planes/a.cpp", "<unistd.h>", false);
     row("devices/transport/a.cpp", "<libusb-1.0/libusb.h>", true);
+    row("devices/transport/a.cpp", "<libusb.h>", true);
+    row("devices/nodding/a.cpp", "<libusb.h>", false);
     row("devices/nodding/a.cpp", "<vtkActor.h>", false);
     row("ui/models/a.h", "<QAbstractItemModel>", true);
     row("ui/models/a.h", "<vtkActor.h>", false);

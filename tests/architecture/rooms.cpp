@@ -13,6 +13,9 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 const Names kNumbers{"Eigen/", "tl/expected.hpp"};
+/// Sockets, serial lines and waiting for them.
+const Names kSystem{"arpa/",   "asm/termbits.h", "fcntl.h", "grp.h", "ifaddrs.h", "linux/serial.h", "net/",
+                    "netdb.h", "netinet/",       "poll.h",  "sys/",  "termios.h", "unistd.h"};
 
 Names operator+(Names names, const Names& more)
 {
@@ -45,8 +48,8 @@ std::span<const Room> rooms()
          kNumbers + Names{"sqlite3.h", "zlib.h", "nlohmann/", "dime/"}},
         {"core/evaluation", {"core/types", "core/params", "core/geometry"}, kNumbers},
 
-        {"devices/transport", {"core/types"}, kNumbers + Names{"libusb", "Qt", "QSerialPort", "QTcp"}},
-        {"devices/emulated", {"core/types", "core/simulation", "devices", "devices/transport"}, kNumbers + Names{"Qt"}},
+        {"devices/transport", {"core/types", "devices/clock.h"}, kNumbers + kSystem + Names{"libusb", "QSerialPort"}},
+        {"devices/emulated", {"core/types", "core/simulation", "devices", "devices/transport"}, kNumbers + kSystem},
         {"devices/replay", {"core/types", "core/formats", "devices"}, kNumbers},
         {"devices", {"core/types", "devices/transport"}, kNumbers},
 

@@ -14,6 +14,7 @@ private slots:
     void aSceneHasSeedAndSpeed();
     void optionsHaveDefaults();
     void aReplayHasASpeed();
+    void aLaserIsASource();
     void aPlainNameIsAFileWhateverIsInIt_data();
     void aPlainNameIsAFileWhateverIsInIt();
     void aReplayedFileMayHaveAQuestionMarkInItsName();
@@ -52,6 +53,18 @@ void SourceAddressTest::aReplayHasASpeed()
     QCOMPARE(address->kind, SourceAddress::Kind::Replay);
     QCOMPARE(address->name, std::string("scans/lobby.csv.gz"));
     QCOMPARE(address->speed, 0.0);
+}
+
+void SourceAddressTest::aLaserIsASource()
+{
+    const auto address = parseSourceAddress("tcp:192.168.0.10:10940");
+
+    QVERIFY(address);
+    QCOMPARE(address->kind, SourceAddress::Kind::Laser);
+    QCOMPARE(address->name, std::string("tcp:192.168.0.10:10940"));
+    QCOMPARE(address->laser.link, DeviceAddress::Link::Tcp);
+    QCOMPARE(address->laser.name, std::string("192.168.0.10"));
+    QCOMPARE(address->laser.port, std::uint16_t{10940});
 }
 
 void SourceAddressTest::aPlainNameIsAFileWhateverIsInIt_data()
@@ -105,9 +118,10 @@ void SourceAddressTest::whatIsWrongIsNamed_data()
     row("sim:hall?speed=inf", "speed 'inf'");
     row("sim:hall?speed=1e9", "speed '1e9'");
     row("sim:hall?&speed=1", "no option ''");
-    row("usb:", "no scanners yet");
-    row("tcp:10.0.0.2:10940", "no scanners yet");
-    row("serial:/dev/ttyACM0", "no scanners yet");
+    row("tcp:10.0.0.2", "give a port, too, as in 10.0.0.2:10940");
+    row("usb:?baud=9600", "no option 'baud'; such an address has none");
+    row("dynamixel:usb:", "is a tilt unit; the scanner is its laser");
+    row("board:serial:/dev/ttyACM0", "is a tilt unit; the scanner is its laser");
 }
 
 void SourceAddressTest::whatIsWrongIsNamed()

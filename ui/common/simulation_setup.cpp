@@ -85,6 +85,21 @@ Result<AcquisitionSettings> acquisitionOf(const SimulationSetup& setup)
     return settings;
 }
 
+Result<AcquisitionSettings> acquisitionOf(const DeviceSetup& setup)
+{
+    SimulationSetup same;
+    same.firstTilt = setup.firstTilt;
+    same.lastTilt = setup.lastTilt;
+    same.tiltStep = setup.tiltStep;
+    same.firstBearing = setup.firstBearing;
+    same.lastBearing = setup.lastBearing;
+    Result<AcquisitionSettings> settings = acquisitionOf(same);
+    constexpr int kTurnsOfAStep = 3;
+    if (settings && setup.stepAndStare)
+        settings->sliceTime *= kTurnsOfAStep;
+    return settings;
+}
+
 std::string addressOf(const SimulationSetup& setup)
 {
     return "sim:" + setup.scene + "?seed=" + std::to_string(setup.seed) + "&speed=" + plain(setup.speed);

@@ -9,6 +9,7 @@
 #include "core/simulation/acquisition_settings.h"
 #include "core/simulation/simulation_noise.h"
 #include "core/types/error.h"
+#include "ui/common/device_setup.h"
 
 namespace planewright {
 
@@ -30,6 +31,10 @@ struct SimulationSetup {
 
 /// How the simulated scanner takes its scan. Errors (Usage) are sentences that say what to give instead.
 Result<AcquisitionSettings> acquisitionOf(const SimulationSetup& setup);
+
+/// The same of a scan with devices, which has the laser's own resolution: 0.25° here. Stepping takes three turns of the
+/// mirror for each slice, about.
+Result<AcquisitionSettings> acquisitionOf(const DeviceSetup& setup);
 
 /// `sim:SCENE?seed=N&speed=X`: what an address says of it.
 std::string addressOf(const SimulationSetup& setup);

@@ -3,6 +3,8 @@
 
 #include "ui/panels/source_panel.h"
 
+#include <optional>
+
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -11,6 +13,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "ui/panels/device_form.h"
 #include "ui/panels/plain_fields.h"
 #include "ui/panels/problem_label.h"
 #include "ui/panels/recording_form.h"
@@ -24,6 +27,7 @@ SourcePanel::SourcePanel(QWidget* parent)
       forms_(new QStackedWidget(this)),
       simulator_(new SimulatorForm(this)),
       recording_(new RecordingForm(this)),
+      devices_(new DeviceForm(this)),
       size_(new QLabel(this)),
       problem_(new ProblemLabel(this)),
       open_(new QPushButton(this))
@@ -35,12 +39,13 @@ SourcePanel::SourcePanel(QWidget* parent)
     layout->setSpacing(8);
     type_->setObjectName(QStringLiteral("sourceType"));
     type_->setAccessibleName(tr("Type of source"));
-    type_->addItems({tr("Simulator"), tr("Recording")});
+    type_->addItems({tr("Simulator"), tr("Recording"), tr("Device")});
     auto* typeForm = new QFormLayout;
     typeForm->addRow(tr("&Type"), type_);
     layout->addLayout(typeForm);
     forms_->addWidget(simulator_);
     forms_->addWidget(recording_);
+    forms_->addWidget(devices_);
     layout->addWidget(forms_);
     size_->setObjectName(QStringLiteral("scanSize"));
     size_->setAccessibleName(tr("Size of the scan"));
@@ -57,9 +62,12 @@ SourcePanel::SourcePanel(QWidget* parent)
     connect(type_, &QComboBox::currentIndexChanged, this, [this](int type) {
         forms_->setCurrentIndex(type);
         check();
+        if (forms_->currentWidget() == devices_)
+            emit devicesShown();
     });
     connect(simulator_, &SimulatorForm::changed, this, &SourcePanel::check);
     connect(recording_, &RecordingForm::changed, this, &SourcePanel::check);
+    connect(devices_, &DeviceForm::changed, this, &SourcePanel::check);
     connect(open_, &QPushButton::clicked, this, &SourcePanel::open);
     check();
 }
@@ -76,6 +84,12 @@ void SourcePanel::showRecording(const QString& file)
     type_->setCurrentIndex(forms_->indexOf(recording_));
 }
 
+void SourcePanel::showDevices(const DeviceSetup& setup)
+{
+    devices_->setSetup(setup);
+    type_->setCurrentIndex(forms_->indexOf(devices_));
+}
+
 SimulationSetup SourcePanel::simulation() const
 {
     return simulator_->setup();
@@ -88,20 +102,32 @@ void SourcePanel::setRecentFiles(const QStringList& files)
 
 void SourcePanel::check()
 {
-    const bool simulated = forms_->currentWidget() == simulator_;
+    const QWidget* form = forms_->currentWidget();
     QString problem;
-    if (simulated) {
-        const auto settings = acquisitionOf(simulator_->setup());
-        problem = settings ? QString{} : QString::fromStdString(settings.error().message);
-        size_->setText(settings ? QString::fromStdString(scanSizeText(*settings)) : QString{});
-    } else {
-        problem = recording_->problem();
+    bool isUnfilled = false;  // an empty field is not wrong yet; the button waits for it
+    std::optional<Result<AcquisitionSettings>> settings;
+    if (form == simulator_)
+        settings = acquisitionOf(simulator_->setup());
+    if (form == devices_) {
+        settings = acquisitionOf(devices_->setup());
+        problem = devices_->problem();
+        isUnfilled = !problem.isEmpty();
     }
-    size_->setVisible(simulated && problem.isEmpty());
-    // An empty field is not wrong yet; the button waits for it.
-    problem_->tell(!simulated && recording_->file().isEmpty() ? QString{} : problem);
+    if (form == recording_) {
+        problem = recording_->problem();
+        isUnfilled = recording_->file().isEmpty();
+    }
+    if (settings && !*settings) {
+        problem = QString::fromStdString(settings->error().message);
+        isUnfilled = false;
+    }
+    size_->setText(settings && *settings ? QString::fromStdString(scanSizeText(**settings)) : QString{});
+    size_->setVisible(!size_->text().isEmpty());
+    problem_->tell(isUnfilled ? QString{} : problem);
     open_->setEnabled(problem.isEmpty());
-    open_->setText(simulated ? tr("Use this simulator") : tr("Open recording"));
+    open_->setText(form == simulator_   ? tr("Use this simulator")
+                   : form == recording_ ? tr("Open recording")
+                                        : tr("Connect"));
     open_->setAccessibleName(open_->text());
 }
 
@@ -109,6 +135,8 @@ void SourcePanel::open()
 {
     if (forms_->currentWidget() == simulator_)
         emit simulationRequested(simulator_->setup());
+    else if (forms_->currentWidget() == devices_)
+        emit devicesRequested(devices_->setup());
     else
         emit openRequested(recording_->address());
 }

@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "ui/common/device_setup.h"
 #include "ui/common/simulation_setup.h"
 
 class QComboBox;
@@ -15,11 +16,12 @@ class QStackedWidget;
 
 namespace planewright {
 
+class DeviceForm;
 class ProblemLabel;
 class RecordingForm;
 class SimulatorForm;
 
-/// Where the slices come from: a simulated room or a recording, with what there is to set of each.
+/// Where the slices come from: a simulated room, a recording or devices, with what there is to set of each.
 class SourcePanel : public QWidget {
     Q_OBJECT
 
@@ -29,7 +31,10 @@ public:
     /// Shows what is opened by other ways.
     void showSimulation(const SimulationSetup& setup);
     void showRecording(const QString& file);
+    void showDevices(const DeviceSetup& setup);
     SimulationSetup simulation() const;
+    /// The form of laser and tilt unit.
+    DeviceForm& devices() { return *devices_; }
 
     /// Recordings opened lately, newest first.
     void setRecentFiles(const QStringList& files);
@@ -39,6 +44,10 @@ signals:
     void simulationRequested(const planewright::SimulationSetup& setup);
     /// A recording is to be opened: its file, or `replay:FILE?speed=X`.
     void openRequested(const QString& address);
+    /// A laser and a tilt unit are to be connected.
+    void devicesRequested(const planewright::DeviceSetup& setup);
+    /// The form of the devices has come into sight.
+    void devicesShown();
 
 private:
     void check();
@@ -48,6 +57,7 @@ private:
     QStackedWidget* forms_;
     SimulatorForm* simulator_;
     RecordingForm* recording_;
+    DeviceForm* devices_;
     QLabel* size_;
     ProblemLabel* problem_;
     QPushButton* open_;

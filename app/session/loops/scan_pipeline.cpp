@@ -9,7 +9,7 @@
 
 namespace planewright {
 
-ScanPipeline::ScanPipeline(ScanPlan plan, ScanEvents events, const Clock& clock)
+ScanPipeline::ScanPipeline(PipelineSetup plan, ScanEvents events, const Clock& clock)
     : source_(plan.source),
       extracts_(plan.extracts),
       description_(source_->isLive() ? asRecorded(source_->description()) : source_->description()),

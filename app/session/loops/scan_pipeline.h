@@ -15,7 +15,7 @@
 namespace planewright {
 
 /// One scan to be taken, recorded and extracted.
-struct ScanPlan {
+struct PipelineSetup {
     std::shared_ptr<ScanSource> source;
     std::unique_ptr<SliceRecorder> recorder;  ///< null: the recording is off
     std::vector<ParametersFrom> parameters;   ///< one at least, as in ExtractionPlan
@@ -34,7 +34,7 @@ struct ScanEvents {
 /// The way of a scan's slices: source → recorder → extractor → bridge.
 class ScanPipeline : public ScanWork {
 public:
-    ScanPipeline(ScanPlan plan, ScanEvents events, const Clock& clock);
+    ScanPipeline(PipelineSetup plan, ScanEvents events, const Clock& clock);
 
     /// Acquisition, recording, extraction. They end by themselves: after the last slice, finish() or abandon().
     std::vector<std::function<void()>> loops() override;

@@ -372,21 +372,16 @@ void TrackMapTest::rebuildLeavesOutWhatDoesNotCount()
     const PlaneEstimate before = plane.estimate;
     QVERIFY(apart(before, kWall) > 1e-3);
 
-    const SegmentStatistics* disturbed = &scan.map.segment(3).statistics;
-    const auto isNot = [&](const PlaneEstimate&, const PlaneInSlice&, const SegmentStatistics& segment) {
-        return &segment != disturbed;
-    };
-    QVERIFY(scan.map.rebuild(plane, scan.parameters.noise, 0.0, isNot));
+    const std::vector<SegmentNumber> others{0, 1, 2, 4, 5};
+    QVERIFY(scan.map.rebuild(plane, scan.map.together(others), scan.parameters.noise, 0.0));
 
     QCOMPARE(plane.fitted, 5);
     QCOMPARE(plane.members.size(), std::size_t{6});
     QVERIFY(disagreement(scan.map).empty());
-    QVERIFY(
-        nearlyEqual(plane.estimate, solvedFrom(before, {0, 1, 2, 4, 5}, scan.map, scan.parameters.noise, 0.0), 1e-12));
+    QVERIFY(nearlyEqual(plane.estimate, solvedFrom(before, others, scan.map, scan.parameters.noise, 0.0), 1e-12));
     // Nothing counts: the plane stays as it was.
     const double distance = plane.estimate.distance();
-    const auto none = [](const PlaneEstimate&, const PlaneInSlice&, const SegmentStatistics&) { return false; };
-    QVERIFY(!scan.map.rebuild(plane, scan.parameters.noise, 0.0, none));
+    QVERIFY(!scan.map.rebuild(plane, scan.map.together({}), scan.parameters.noise, 0.0));
     QCOMPARE(plane.estimate.distance(), distance);
     QCOMPARE(plane.fitted, 5);
 }

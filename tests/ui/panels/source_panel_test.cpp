@@ -52,9 +52,10 @@ void SourcePanelTest::init()
 
 void SourcePanelTest::itOffersWhatCanBeConnected()
 {
-    QCOMPARE(find<QComboBox>("sourceType")->count(), 2);
+    QCOMPARE(find<QComboBox>("sourceType")->count(), 3);
     QCOMPARE(find<QComboBox>("sourceType")->itemText(0), QStringLiteral("Simulator"));
     QCOMPARE(find<QComboBox>("sourceType")->itemText(1), QStringLiteral("Recording"));
+    QCOMPARE(find<QComboBox>("sourceType")->itemText(2), QStringLiteral("Device"));
 }
 
 void SourcePanelTest::theSizeOfTheScanIsComputed()

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "devices/clock.h"
+#include "devices/laser.h"
+#include "devices/nodding/tilt_track.h"
+#include "devices/tilt_unit.h"
+
+namespace planewright {
+
+/// How the devices of a nodding scanner are opened, the first time and after each time that one was lost: found, opened
+/// and connected.
+struct NoddingDevices {
+    std::function<Result<std::unique_ptr<Laser>>(const std::stop_token&)> openLaser;
+    std::function<Result<std::unique_ptr<TiltUnit>>(const std::stop_token&)> openTiltUnit;
+};
+
+/// A laser and a tilt unit, and what both have said lately. One thread calls it; hold() and the two health functions
+/// may be called by any.
+class DevicePair {
+public:
+    DevicePair(NoddingDevices devices, const Clock& clock);
+    /// Holds the unit and ends the laser's stream.
+    ~DevicePair();
+    DevicePair(const DevicePair&) = delete;
+    DevicePair& operator=(const DevicePair&) = delete;
+
+    /// Opens what is not open. Errors: those of the devices; NoDevice where another laser answers than the first time.
+    Result<void> open(const std::stop_token& stop);
+    bool isOpen() const { return laser_ && unit_; }
+    Laser& laser() { return *laser_; }
+    TiltUnit& unit() { return *unit_; }
+
+    /// The laser streams these steps from now on, if it does not yet.
+    Result<void> startLaser(int first, int last, const std::stop_token& stop);
+    void stopLaser();
+
+    /// Waits for the next angle, and takes the scans that have come meanwhile.
+    Result<void> hear(const std::stop_token& stop);
+    const TiltTrack& track() const { return track_; }
+    /// The oldest scan heard, once angles to both sides of all of its beams are there.
+    std::optional<LaserScan> takeScan();
+    /// Forgets what was heard.
+    void forget();
+
+    /// Closes both: open() begins anew. Which of them has failed shows then; a healthy one connects in no time.
+    void close();
+
+    /// Stops motion within one round trip. Nothing to do where no unit is open.
+    Result<void> hold();
+    LinkHealth laserHealth() const;
+    LinkHealth tiltHealth() const;
+    MotorState motor() const;
+
+private:
+    std::shared_ptr<Laser> sharedLaser() const;
+    std::shared_ptr<TiltUnit> sharedUnit() const;
+
+    NoddingDevices devices_;
+    const Clock& clock_;
+    mutable std::mutex mutex_;  ///< of the two pointers, where other threads read them
+    std::shared_ptr<Laser> laser_;
+    std::shared_ptr<TiltUnit> unit_;
+    std::string serial_;  ///< of the first laser
+    bool isScanning_ = false;
+    TiltTrack track_;
+    std::deque<LaserScan> scans_;
+};
+
+}  // namespace planewright

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "devices/laser.h"
+#include "devices/scan_source.h"
+#include "devices/tilt_unit.h"
+
+namespace planewright {
+
+/// What a device panel shows of a nodding scanner.
+struct NoddingHealth {
+    LinkHealth laser;
+    LinkHealth tilt;
+    MotorState motor;
+    std::chrono::nanoseconds largestSkew{0};  ///< farthest in time of an angle from a beam that it was used for
+};
+
+/// The same in words: rates, what was lost, corrupt or late, load, voltage and temperature, and troubles in front.
+std::vector<HealthFact> factsOf(const NoddingHealth& health);
+
+}  // namespace planewright

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "devices/clock.h"
+#include "devices/nodding/device_pair.h"
+#include "devices/nodding/health_facts.h"
+#include "devices/nodding/scan_plan.h"
+#include "devices/nodding/slice_taker.h"
+#include "devices/scan_source.h"
+
+namespace planewright {
+
+/// A laser on a tilt unit: two devices become one source of slices with measured angles (section 3.2, Fig. 2).
+///
+/// Slices have the angle that was measured, never the one that was asked for. Nothing moves before begin(), and
+/// whatever goes wrong holds the unit: next() gives the error, and the next call of it tries to go on at the missing
+/// slice.
+class NoddingSource : public ScanSource {
+public:
+    /// Opens both devices and fits the plan to them; moves nothing. Errors: those of the devices; Usage for a plan that
+    /// they cannot carry out; Interrupted.
+    static Result<std::unique_ptr<NoddingSource>> open(NoddingDevices devices, const ScanPlan& plan, const Clock& clock,
+                                                       const std::stop_token& stop);
+
+    const ScanDescription& description() const override { return description_; }
+    std::optional<int> plannedSlices() const override { return plan_.slices; }
+    bool isLive() const override { return true; }
+    std::string name() const override { return description_.scanner; }
+    const FittedPlan& fittedPlan() const { return fitted_; }
+
+    Result<void> begin(const std::stop_token& stop) override;
+    Result<std::optional<ScanSlice>> next(const std::stop_token& stop) override;
+    Result<void> pause() override;
+    Result<void> resume() override;
+    Result<void> stopMotion() override;
+
+    std::vector<HealthFact> health() const override;
+    NoddingHealth deviceHealth() const;
+
+private:
+    using Time = std::chrono::nanoseconds;
+
+    NoddingSource(NoddingDevices devices, const ScanPlan& plan, const Clock& clock);
+
+    Result<void> fit();
+    /// From any state to one in which the next slice can be taken: devices open, laser scanning, head where it begins.
+    Result<void> getReady(const std::stop_token& stop);
+    Result<void> arm(const std::stop_token& stop);
+    Result<void> travelTo(const SliceTaker::Aim& start, const std::stop_token& stop);
+    Result<void> aim();
+    Result<std::optional<ScanSlice>> takeSlice();
+    Result<void> watchMotion();
+    void waitWhilePaused(const std::stop_token& stop);
+    bool isPaused() const;
+    int pauses() const;
+    tl::unexpected<Error> fault(Error error);
+
+    DevicePair devices_;
+    ScanPlan plan_;
+    FittedPlan fitted_;
+    const Clock& clock_;
+    ScanDescription description_;
+
+    mutable std::mutex mutex_;  ///< of what is asked for
+    std::condition_variable_any asked_;
+    bool paused_ = false;
+    int pauses_ = 0;
+    bool motionStopped_ = false;
+
+    // The acquisition thread's own.
+    SliceTaker taker_;
+    bool isReady_ = false;  ///< the head is where the next slice begins, and the laser scans
+    bool isAimed_ = false;  ///< the unit has been told to go on from there
+    int seenPauses_ = 0;
+    Time heardAt_{0};   ///< the last slice, or when it began
+    int attempts_ = 0;  ///< to reach the angle of the next slice
+    std::atomic<Time::rep> largestSkew_{0};
+};
+
+}  // namespace planewright

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "devices/nodding/scan_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/types/recording.h"
+
+namespace planewright {
+
+namespace {
+
+/// Angles are asked for with two decimals of a degree: what is beyond a limit by less is meant to be at it.
+constexpr double kSlack = degrees(0.01);
+
+std::string inDegrees(double angle)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::round(toDegrees(angle) * 100.0) / 100.0 << "°";
+    return text.str();
+}
+
+Result<void> checkBearings(const ScanPlan& plan, const LaserLimits& laser)
+{
+    const double lowest = laser.bearing(laser.firstStep);
+    const double highest = laser.bearing(laser.lastStep);
+    if (plan.lastBearing <= plan.firstBearing)
+        return fail(ErrorCode::Usage,
+                    "the scan angle ends at " + inDegrees(plan.lastBearing) + ", where or before it begins");
+    if (plan.firstBearing < lowest - kSlack || plan.lastBearing > highest + kSlack)
+        return fail(ErrorCode::Usage, "the laser sees from " + inDegrees(lowest) + " to " + inDegrees(highest) +
+                                          "; the plan asks for " + inDegrees(plan.firstBearing) + " to " +
+                                          inDegrees(plan.lastBearing));
+    return {};
+}
+
+Result<void> checkPitches(const ScanPlan& plan, const TiltUnit& unit)
+{
+    const double first = plan.pitch(0);
+    const double last = plan.pitch(plan.slices - 1);
+    if (std::min(first, last) < unit.lowest() - kSlack || std::max(first, last) > unit.highest() + kSlack)
+        return fail(ErrorCode::Usage, "the tilt unit may go from " + inDegrees(unit.lowest()) + " to " +
+                                          inDegrees(unit.highest()) + "; the plan asks for " + inDegrees(first) +
+                                          " to " + inDegrees(last));
+    return {};
+}
+
+}  // namespace
+
+Result<FittedPlan> fitPlan(const ScanPlan& plan, const LaserLimits& laser, const TiltUnit& unit)
+{
+    if (plan.slices < 1 || plan.slices > kMaxSlices)
+        return fail(ErrorCode::Usage,
+                    "a scan has 1 to " + std::to_string(kMaxSlices) + " slices, not " + std::to_string(plan.slices));
+    if (!std::isfinite(plan.pitchStep) || (plan.pitchStep == 0.0 && plan.slices > 1))
+        return fail(ErrorCode::Usage, "the tilt step must not be 0");
+    if (const auto checked = checkBearings(plan, laser); !checked)
+        return tl::unexpected{checked.error()};
+    if (const auto checked = checkPitches(plan, unit); !checked)
+        return tl::unexpected{checked.error()};
+
+    FittedPlan fitted;
+    fitted.firstStep = std::max(laser.firstStep, laser.nearestStep(plan.firstBearing));
+    fitted.lastStep = std::min(laser.lastStep, laser.nearestStep(plan.lastBearing));
+    fitted.beams = fitted.lastStep - fitted.firstStep + 1;
+    fitted.points = static_cast<double>(fitted.beams) * plan.slices;
+    const std::chrono::duration<double> turn = laser.period;
+    if (plan.mode == ScanPlan::Mode::Continuous) {
+        // A step too wide for one turn takes several, of which one is a slice.
+        const double fastest = unit.fastest();
+        fitted.turnsPerSlice =
+            std::max(1, static_cast<int>(std::ceil(std::abs(plan.pitchStep) / (fastest * turn.count()) - 1e-9)));
+        fitted.sweepSpeed = std::abs(plan.pitchStep) / (fitted.turnsPerSlice * turn.count());
+        fitted.time = turn * fitted.turnsPerSlice * plan.slices;
+    } else {
+        const double speed = std::min(plan.travelSpeed, unit.fastest());
+        const std::chrono::duration<double> move{std::abs(plan.pitchStep) / speed};
+        fitted.time = std::ceil((move + plan.settle + turn) / turn - 1e-9) * turn * plan.slices;
+    }
+    return fitted;
+}
+
+}  // namespace planewright

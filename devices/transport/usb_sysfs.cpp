@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "devices/transport/usb_sysfs.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace planewright {
+
+namespace {
+
+std::filesystem::path folderOf(const std::string& device)
+{
+    return std::filesystem::path{"/sys/bus/usb/devices"} / device;
+}
+
+}  // namespace
+
+std::string usbAttribute(const std::string& port, const std::string& attribute)
+{
+    std::ifstream file(folderOf(port) / attribute);
+    std::array<char, 256> line{};  // a string descriptor has at most 126 characters, each up to 3 bytes here
+    file.getline(line.data(), line.size());
+    return printable(line.data());
+}
+
+std::string usbDriver(const std::string& port, int configuration, int interface)
+{
+    std::error_code unused;
+    const std::string name = port + ":" + std::to_string(configuration) + "." + std::to_string(interface);
+    return printable(std::filesystem::read_symlink(folderOf(name) / "driver", unused).filename().string());
+}
+
+std::string printable(std::string text)
+{
+    const auto prints = [](char c) { return c >= ' ' && c <= '~'; };
+    std::replace_if(
+        text.begin(), text.end(), [&](char c) { return !prints(c); }, '?');
+    return text;
+}
+
+}  // namespace planewright

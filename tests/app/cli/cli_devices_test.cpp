@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <csignal>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "run_program.h"
+#include "tests/app/emulated_rig_process.h"
+
+/// Scanning with devices that another process emulates, in real time.
+class CliDevicesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aScanIsRecordedOverLinks_data();
+    void aScanIsRecordedOverLinks();
+    void aKilledProgramLeavesAScanAndDevicesThatConnectAgain();
+    void everyByteOfADialogueIsRecorded();
+    void aDeviceThatIsNotThereIsSaid_data();
+    void aDeviceThatIsNotThereIsSaid();
+    void whatIsWrongIsSaidBeforeAnythingIsOpened_data();
+    void whatIsWrongIsSaidBeforeAnythingIsOpened();
+    void aDeviceThatIsLostEndsTheScanWithWhatThereIs();
+    void whatIsConnectedIsListed();
+
+private:
+    static QJsonObject infoOf(const QString& folder);
+};
+
+/// What the program says of room.pwscan.
+QJsonObject CliDevicesTest::infoOf(const QString& folder)
+{
+    const ProgramRun run = runProgram({"info", "room.pwscan", "--json"}, folder);
+    const QJsonDocument document = QJsonDocument::fromJson(run.out);
+    return document.array().at(0).toObject();
+}
+
+void CliDevicesTest::aScanIsRecordedOverLinks_data()
+{
+    QTest::addColumn<QStringList>("served");
+    QTest::addColumn<QStringList>("options");
+    QTest::newRow("servo on a line") << QStringList{"--laser", "tcp:0", "--tilt", "pty"} << QStringList{};
+    QTest::newRow("servo on a line, stepping")
+        << QStringList{"--laser", "pty", "--tilt", "pty"} << QStringList{"--step-and-stare"};
+    QTest::newRow("board on a line") << QStringList{"--laser", "tcp:0", "--board", "pty"} << QStringList{};
+}
+
+void CliDevicesTest::aScanIsRecordedOverLinks()
+{
+    QFETCH(QStringList, served);
+    QFETCH(QStringList, options);
+    const QTemporaryDir folder;
+    EmulatedRigProcess rig(served);
+    QVERIFY2(rig.isServing(), rig.error().constData());
+
+    const ProgramRun run = runProgram(QStringList{"record", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit(),
+                                                  "--tilt", "70:110:1.16", "-o", "room.pwscan"} +
+                                          options,
+                                      folder.path());
+
+    QVERIFY2(run.code == 0, run.err.constData());
+    const QJsonObject info = infoOf(folder.path());
+    QCOMPARE(info["state"].toString(), QString("complete"));
+    QCOMPARE(info["planned_slices"].toInt(), 34);
+    // A busy machine may lose a slice of a sweep to a late answer of the servo.
+    QVERIFY2(info["slices"].toInt() >= 25, qPrintable(QString::number(info["slices"].toInt())));
+    QVERIFY(std::abs(info["pitch_first_deg"].toDouble() - 70.0) < 2.5);
+    QVERIFY(info["scanner"].toString().contains("UTM-30LX"));
+    QCOMPARE(info["continuous"].toBool(), options.isEmpty());
+}
+
+void CliDevicesTest::aKilledProgramLeavesAScanAndDevicesThatConnectAgain()
+{
+    const QTemporaryDir folder;
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+    const QStringList arguments{"record", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit(), "-o"};
+    QProcess first;
+    first.setWorkingDirectory(folder.path());
+    first.start(PLANEWRIGHT_CLI, arguments + QStringList{"first.pwscan"});
+    // Its recording grows as soon as the head moves.
+    const auto size = [&] { return QFileInfo(folder.filePath("first.pwscan-wal")).size(); };
+    QTRY_VERIFY_WITH_TIMEOUT(size() > 100'000, 60'000);
+
+    ::kill(static_cast<pid_t>(first.processId()), SIGKILL);
+    QVERIFY(first.waitForFinished());
+    const ProgramRun second =
+        runProgram(arguments + QStringList{"room.pwscan", "--tilt", "80:100:1.16"}, folder.path());
+
+    QVERIFY2(second.code == 0, second.err.constData());
+    QCOMPARE(runProgram({"validate", "first.pwscan"}, folder.path()).code, 0);
+    QVERIFY(infoOf(folder.path())["slices"].toInt() >= 12);
+}
+
+void CliDevicesTest::everyByteOfADialogueIsRecorded()
+{
+    const QTemporaryDir folder;
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+
+    const ProgramRun run = runProgram({"record", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit(), "--tilt",
+                                       "85:95:1.16", "--dialogues", folder.path(), "-o", "room.pwscan"},
+                                      folder.path());
+
+    QVERIFY2(run.code == 0, run.err.constData());
+    const QByteArray laser = bytesOf(folder.filePath("laser-1.dialogue"));
+    QVERIFY(laser.contains("MD0180090000000"));
+    QVERIFY(laser.size() > 8 * 2258);
+    QVERIFY(!bytesOf(folder.filePath("tilt-2.dialogue")).isEmpty());
+}
+
+void CliDevicesTest::aDeviceThatIsNotThereIsSaid_data()
+{
+    QTest::addColumn<QString>("laser");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("port that refuses") << "tcp:127.0.0.1:1" << QByteArray("127.0.0.1:1");
+    QTest::newRow("no such port") << "serial:/dev/no-such-port" << QByteArray("/dev/no-such-port");
+    QTest::newRow("no such number") << "usb:NoSuchNumber" << QByteArray("connected by USB");
+}
+
+void CliDevicesTest::aDeviceThatIsNotThereIsSaid()
+{
+    QFETCH(QString, laser);
+    QFETCH(QByteArray, said);
+    const QTemporaryDir folder;
+
+    const ProgramRun run =
+        runProgram({"record", "--scanner", laser, "--tilt-unit", "dynamixel:usb:", "-o", "room.pwscan"}, folder.path());
+
+    QCOMPARE(run.code, 6);
+    QVERIFY2(run.err.contains(said), run.err.constData());
+    QCOMPARE(run.err.count('\n'), 1);
+    QVERIFY(!QFile::exists(folder.filePath("room.pwscan")));
+}
+
+void CliDevicesTest::whatIsWrongIsSaidBeforeAnythingIsOpened_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("no tilt unit") << QStringList{"--scanner", "usb:"} << QByteArray("--tilt-unit");
+    QTest::newRow("tilt unit of a simulation")
+        << QStringList{"--scanner", "sim:hall", "--tilt-unit", "board:usb:"} << QByteArray("leave them out");
+    QTest::newRow("no tilt unit's address")
+        << QStringList{"--scanner", "usb:", "--tilt-unit", "usb:"} << QByteArray("dynamixel: or board:");
+    QTest::newRow("no angle") << QStringList{"--scanner", "usb:", "--tilt-unit", "board:usb:", "--bearing", "0-180"}
+                              << QByteArray("--bearing: '0-180'");
+}
+
+void CliDevicesTest::whatIsWrongIsSaidBeforeAnythingIsOpened()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(QByteArray, said);
+    const QTemporaryDir folder;
+
+    const ProgramRun run = runProgram(QStringList{"record", "-o", "room.pwscan"} + arguments, folder.path());
+
+    QVERIFY2(run.code == 2 || run.code == 6, run.err.constData());
+    QVERIFY2(run.err.contains(said), run.err.constData());
+}
+
+void CliDevicesTest::aDeviceThatIsLostEndsTheScanWithWhatThereIs()
+{
+    const QTemporaryDir folder;
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty", "--fault", "servo-unplug@60"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+
+    const ProgramRun run = runProgram(
+        {"record", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit(), "-o", "room.pwscan"}, folder.path());
+
+    QCOMPARE(run.code, 7);
+    QCOMPARE(infoOf(folder.path())["state"].toString(), QString("fault"));
+    QVERIFY(infoOf(folder.path())["slices"].toInt() > 0);
+    QCOMPARE(runProgram({"validate", "room.pwscan"}, folder.path()).code, 0);
+}
+
+void CliDevicesTest::whatIsConnectedIsListed()
+{
+    const ProgramRun text = runProgram({"devices"});
+    const ProgramRun json = runProgram({"devices", "--json"});
+
+    QCOMPARE(text.code, 0);
+    QVERIFY(!text.out.isEmpty());
+    QCOMPARE(json.code, 0);
+    QVERIFY(QJsonDocument::fromJson(json.out).isArray());
+}
+
+QTEST_GUILESS_MAIN(CliDevicesTest)
+#include "cli_devices_test.moc"

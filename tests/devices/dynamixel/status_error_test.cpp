@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "devices/dynamixel/status_error.h"
+
+#include <QtTest>
+
+namespace planewright {
+
+class StatusErrorTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyBitOfOneIsAboutTheServoOrTheRequest();
+    void bitsOfBothKindsComeTogether();
+    void everyNumberOfTwoIsAboutTheRequest();
+    void theHardwareErrorOfTwoNamesTheAlarm();
+    void alarmsAreNamed();
+    void alarmsGoThereAndBack();
+};
+
+namespace {
+
+constexpr DynamixelProtocol kOne = DynamixelProtocol::One;
+constexpr DynamixelProtocol kTwo = DynamixelProtocol::Two;
+
+}  // namespace
+
+void StatusErrorTest::everyBitOfOneIsAboutTheServoOrTheRequest()
+{
+    QVERIFY(decodeStatusError(kOne, 0x01).alarm == (ServoAlarm{.voltage = true}));
+    QVERIFY(decodeStatusError(kOne, 0x04).alarm == (ServoAlarm{.overheating = true}));
+    QVERIFY(decodeStatusError(kOne, 0x20).alarm == (ServoAlarm{.overload = true}));
+    for (const int bit : {0, 2, 5}) {
+        const StatusError error = decodeStatusError(kOne, static_cast<std::uint8_t>(1U << bit));
+        QVERIFY(error.hasAlarm);
+        QVERIFY(error.request == RequestFault::None);
+    }
+    for (const int bit : {1, 3, 6}) {
+        const StatusError error = decodeStatusError(kOne, static_cast<std::uint8_t>(1U << bit));
+        QVERIFY(!error.hasAlarm);
+        QVERIFY(error.request == RequestFault::Refused);
+        QVERIFY(!error.refusal.empty());
+    }
+    QVERIFY(decodeStatusError(kOne, 0x10).request == RequestFault::Damaged);
+    QVERIFY(!decodeStatusError(kOne, 0x10).hasAlarm);
+    QVERIFY(!decodeStatusError(kOne, 0x00).hasAlarm);
+    QVERIFY(decodeStatusError(kOne, 0x00).request == RequestFault::None);
+}
+
+void StatusErrorTest::bitsOfBothKindsComeTogether()
+{
+    const StatusError error = decodeStatusError(kOne, 0x24 | 0x02 | 0x10);
+
+    QVERIFY(error.alarm == (ServoAlarm{.overheating = true, .overload = true}));
+    QVERIFY(error.request == RequestFault::Refused);
+}
+
+void StatusErrorTest::everyNumberOfTwoIsAboutTheRequest()
+{
+    QVERIFY(decodeStatusError(kTwo, 0x00).request == RequestFault::None);
+    for (const int number : {1, 2, 4, 5, 6, 7, 99}) {
+        const StatusError error = decodeStatusError(kTwo, static_cast<std::uint8_t>(number));
+        QVERIFY(error.request == RequestFault::Refused);
+        QVERIFY(!error.refusal.empty());
+        QVERIFY(!error.hasAlarm);
+    }
+    QVERIFY(decodeStatusError(kTwo, 3).request == RequestFault::Damaged);
+    QVERIFY(decodeStatusError(kTwo, 0x80).hasAlarm);
+    QVERIFY(decodeStatusError(kTwo, 0x80).request == RequestFault::None);
+    QVERIFY(decodeStatusError(kTwo, 0x87).request == RequestFault::Refused);
+}
+
+void StatusErrorTest::theHardwareErrorOfTwoNamesTheAlarm()
+{
+    QVERIFY(decodeHardwareError(0x01) == (ServoAlarm{.voltage = true}));
+    QVERIFY(decodeHardwareError(0x04) == (ServoAlarm{.overheating = true}));
+    QVERIFY(decodeHardwareError(0x08) == (ServoAlarm{.encoder = true}));
+    QVERIFY(decodeHardwareError(0x10) == (ServoAlarm{.shock = true}));
+    QVERIFY(decodeHardwareError(0x20) == (ServoAlarm{.overload = true}));
+    QVERIFY(!decodeHardwareError(0x42).any());
+}
+
+void StatusErrorTest::alarmsAreNamed()
+{
+    QCOMPARE((ServoAlarm{.overheating = true, .overload = true}.text()), std::string{"overload, overheating"});
+    QCOMPARE(ServoAlarm{}.text(), std::string{});
+}
+
+void StatusErrorTest::alarmsGoThereAndBack()
+{
+    const ServoAlarm all{true, true, true, true, true};
+    QCOMPARE(int(alarmBits(kOne, all)), 0x25);
+    QCOMPARE(int(alarmBits(kTwo, all)), 0x3D);
+    QVERIFY(decodeHardwareError(alarmBits(kTwo, all)) == all);
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::StatusErrorTest)
+#include "status_error_test.moc"

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <set>
+
+#include <QtTest>
+
+#include "core/simulation/nodding_scanner.h"
+#include "core/simulation/random.h"
+#include "tests/devices/nodding/emulated_scanner.h"
+#include "tests/devices/nodding/faulty_link.h"
+
+using namespace std::chrono_literals;
+
+namespace planewright {
+
+/// Whatever goes wrong, a nodding source ends or goes on, and what it gives was measured.
+class NoddingFaultsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyFaultOfADeviceEndsOrHeals_data();
+    void everyFaultOfADeviceEndsOrHeals();
+    void aFaultOfTheCableHeals_data();
+    void aFaultOfTheCableHeals();
+};
+
+namespace {
+
+using Tilt = EmulatedRigSetup::Tilt;
+using Mode = ScanPlan::Mode;
+using Time = std::chrono::nanoseconds;
+
+/// A call that connects anew takes most of what there is for going on again.
+constexpr Time kRecovery = 3s;
+constexpr int kSlices = 40;
+
+Scene room()
+{
+    static const Scene scene = makeScene("corridor", 7).value();
+    return scene;
+}
+
+ScanPlan plan(Mode mode)
+{
+    ScanPlan plan;
+    plan.mode = mode;
+    plan.firstPitch = degrees(60.0);
+    plan.slices = kSlices;
+    plan.firstBearing = degrees(60.0);
+    plan.lastBearing = degrees(120.0);
+    return plan;
+}
+
+/// What a scan came to: somebody sits there and says "try again" every half second.
+struct Outcome {
+    std::vector<ScanSlice> slices;
+    std::vector<std::string> errors;
+    Time longest{0};              ///< call
+    std::optional<Time> resumed;  ///< first slice at or behind a moment
+    bool isComplete = false;
+};
+
+Outcome scan(EmulatedScanner& emulated, NoddingSource& source, Time watchFrom)
+{
+    Outcome outcome;
+    bool isBegun = false;
+    constexpr Time kGiveUp = 60s;
+    const Time until = emulated.clock().now() + kGiveUp;
+    while (emulated.clock().now() < until && outcome.errors.size() < 40) {
+        const Time before = emulated.clock().now();
+        Result<std::optional<ScanSlice>> slice = std::nullopt;
+        if (isBegun) {
+            slice = source.next({});
+        } else if (const Result<void> begun = source.begin({}); !begun) {
+            slice = tl::unexpected{begun.error()};
+        } else {
+            isBegun = true;
+            continue;
+        }
+        const Time now = emulated.clock().now();
+        if (before >= watchFrom)
+            outcome.longest = std::max(outcome.longest, now - before);
+        if (!slice) {
+            outcome.errors.push_back(slice.error().message);
+            emulated.clock().advance(500ms);
+        } else if (*slice) {
+            outcome.slices.push_back(**slice);
+            if (!outcome.resumed && now >= watchFrom)
+                outcome.resumed = now;
+        } else {
+            outcome.isComplete = true;
+            break;
+        }
+    }
+    return outcome;
+}
+
+/// Ranges tell where the head was: floor and ceiling move with it.
+bool isMeasured(const ScanSlice& slice)
+{
+    AcquisitionSettings settings;
+    settings.slices = 1;
+    settings.firstTilt = slice.tilt;
+    settings.continuous = slice.tiltEnd.has_value();
+    settings.tiltStep = slice.tiltEnd.value_or(slice.tilt) - slice.tilt;
+    settings.firstBearing = slice.firstBearing;
+    settings.beams = static_cast<int>(slice.ranges.size());
+    const ScanSlice simulated = simulateSlice(room(), settings, {}, 1, 0).slice;
+    int near = 0;
+    for (std::size_t beam = 0; beam < slice.ranges.size(); ++beam)
+        near += std::abs(slice.ranges[beam] - simulated.ranges[beam]) < 0.02 + 0.03 * simulated.ranges[beam];
+    return near > 0.8 * static_cast<double>(slice.ranges.size());
+}
+
+/// Steps rise, and every slice that is not marked shows what is there.
+void verifySlices(const Outcome& outcome, bool mayLie)
+{
+    int last = -1;
+    for (const ScanSlice& slice : outcome.slices) {
+        QVERIFY(slice.step > last && slice.step < kSlices);
+        last = slice.step;
+        QCOMPARE(slice.ranges.size(), std::size_t(241));
+        QVERIFY2(mayLie || slice.angleSuspect || isMeasured(slice),
+                 qPrintable(QString("slice %1 at %2 to %3, time %4")
+                                .arg(slice.step)
+                                .arg(toDegrees(slice.tilt))
+                                .arg(toDegrees(slice.tiltEnd.value_or(0.0)))
+                                .arg(slice.time.count())));
+    }
+}
+
+}  // namespace
+
+void NoddingFaultsTest::everyFaultOfADeviceEndsOrHeals_data()
+{
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<Tilt>("tilt");
+    QTest::addColumn<Mode>("mode");
+    for (const EmulatedFaultKind& kind : emulatedFaultKinds()) {
+        const QString name = QString::fromLatin1(kind.name.data(), static_cast<qsizetype>(kind.name.size()));
+        const Tilt tilt = kind.name.starts_with("board-") ? Tilt::Board : Tilt::Servo;
+        QTest::newRow(qPrintable(name + ", sweeping")) << name << tilt << Mode::Continuous;
+        QTest::newRow(qPrintable(name + ", stepping")) << name << tilt << Mode::StepAndStare;
+    }
+}
+
+void NoddingFaultsTest::everyFaultOfADeviceEndsOrHeals()
+{
+    QFETCH(QString, kind);
+    QFETCH(Tilt, tilt);
+    QFETCH(Mode, mode);
+    // The others heal by themselves, or with the next attempt of the one who sits there.
+    const std::set<QString> lasting{
+        "laser-blind",  "laser-malfunction", "laser-unplug",  "servo-stall",      "servo-frozen",  "servo-overload",
+        "servo-echo",   "servo-overheat",    "servo-voltage", "servo-silent",     "servo-garbled", "servo-wrong-id",
+        "servo-two",    "servo-wheel",       "servo-unplug",  "servo-power-loss", "servo-slow",    "servo-wrong-angle",
+        "board-silent", "board-stall",       "board-unplug",  "board-wrong-angle"};
+    EmulatedRigSetup setup;
+    setup.scene = room();
+    setup.tilt = tilt;
+    setup.startPitch = degrees(60.0);
+    setup.faults = {{kind.toStdString(), 15}};
+    EmulatedScanner emulated(setup);
+    const auto source = emulated.open(plan(mode));
+    QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
+
+    const Outcome outcome = scan(emulated, **source, 0s);
+
+    // A position that is a lie is as good as a true one where it does not jump.
+    verifySlices(outcome, kind.endsWith("wrong-angle") || kind == "laser-blind");
+    if (!lasting.contains(kind)) {
+        QVERIFY2(outcome.isComplete, outcome.errors.empty() ? "" : outcome.errors.back().c_str());
+        QVERIFY2(outcome.slices.size() > 30, qPrintable(QString::number(outcome.slices.size())));
+    }
+    if (!outcome.isComplete) {
+        QVERIFY(!outcome.errors.empty());
+        const double held = emulated.rig().pitchAt(emulated.clock().now());
+        emulated.clock().advance(1s);
+        QVERIFY(std::abs(emulated.rig().pitchAt(emulated.clock().now()) - held) < degrees(0.5));
+    }
+}
+
+void NoddingFaultsTest::aFaultOfTheCableHeals_data()
+{
+    QTest::addColumn<int>("seed");
+    const int seeds = qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG") ? 500 : 50;
+    for (int seed = 1; seed <= seeds; ++seed)
+        QTest::newRow(qPrintable(QString::number(seed))) << seed;
+}
+
+void NoddingFaultsTest::aFaultOfTheCableHeals()
+{
+    QFETCH(int, seed);
+    const auto random = std::make_shared<Random>(static_cast<std::uint64_t>(seed));
+    EmulatedRigSetup setup;
+    setup.scene = room();
+    setup.tilt = random->integer(0, 1) == 0 ? Tilt::Servo : Tilt::Board;
+    setup.startPitch = degrees(60.0);
+    const Mode mode = random->integer(0, 1) == 0 ? Mode::Continuous : Mode::StepAndStare;
+    LinkFault fault;
+    fault.kind = static_cast<LinkFault::Kind>(random->integer(0, 4));
+    fault.rate = std::pow(10.0, random->uniform(-6.0, -2.0));
+    fault.delay = std::chrono::milliseconds(random->integer(0, 5000));
+    const bool isOnLaser = random->integer(0, 1) == 0;
+    EmulatedScanner emulated(setup);
+    // The fault begins within the scan, which begins when both are connected.
+    Time from{0};
+    auto wrap = [&](std::unique_ptr<Transport> link) -> std::unique_ptr<Transport> {
+        return std::make_unique<FaultyLink>(std::move(link), fault, random, emulated.clock());
+    };
+    from = emulated.clock().now() + std::chrono::milliseconds(random->integer(1500, 3500));
+    fault.from = from;
+    fault.to = from + std::chrono::milliseconds(random->integer(100, 4000));
+    (isOnLaser ? emulated.wrapLaser : emulated.wrapTilt) = wrap;
+    const auto source = emulated.open(plan(mode));
+    QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
+    // What was delayed has come by then.
+    const Time healed = fault.to + (fault.kind == LinkFault::Kind::Delay ? fault.delay : Time{0});
+
+    const Outcome outcome = scan(emulated, **source, healed);
+
+    const QString what = QString("kind %1, %2, %3, %4 to %5 ms, rate %6, delay %7 ms: ")
+                             .arg(static_cast<int>(fault.kind))
+                             .arg(isOnLaser                   ? "laser"
+                                  : setup.tilt == Tilt::Servo ? "servo"
+                                                              : "board")
+                             .arg(mode == Mode::Continuous ? "sweeping" : "stepping")
+                             .arg(fault.from / 1ms)
+                             .arg(fault.to / 1ms)
+                             .arg(fault.rate)
+                             .arg(fault.delay / 1ms);
+    verifySlices(outcome, false);
+    if (QTest::currentTestFailed())
+        qWarning("%s", qPrintable(what));
+    QVERIFY2(outcome.isComplete,
+             qPrintable(what +
+                        (outcome.errors.empty() ? QString("no end") : QString::fromStdString(outcome.errors.back()))));
+    QVERIFY2(outcome.longest <= kRecovery, qPrintable(what + QString("a call took %1 ms").arg(outcome.longest / 1ms)));
+    if (outcome.resumed) {
+        const Time after = *outcome.resumed - healed;
+        QVERIFY2(after <= kRecovery, qPrintable(what + QString("the next slice came %1 ms later").arg(after / 1ms)));
+    }
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::NoddingFaultsTest)
+#include "nodding_faults_test.moc"

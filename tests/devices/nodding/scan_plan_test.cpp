@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "devices/nodding/scan_plan.h"
+
+#include <QtTest>
+
+#include "tests/devices/nodding/still_unit.h"
+
+using namespace std::chrono_literals;
+
+namespace planewright {
+
+class ScanPlanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theScanOfTable8IsTakenAsItIs();
+    void steppingTakesMoveRestAndTurnInWholeTurns();
+    void aWideStepTakesSeveralTurns();
+    void whatTheDevicesCannotDoIsSaid_data();
+    void whatTheDevicesCannotDoIsSaid();
+};
+
+void ScanPlanTest::theScanOfTable8IsTakenAsItIs()
+{
+    const auto fitted = fitPlan({}, utm30lx(), StillUnit());
+
+    QVERIFY2(fitted.has_value(), fitted ? "" : fitted.error().message.c_str());
+    QCOMPARE(fitted->firstStep, 180);  // 90 degrees to the right of step 540, four steps a degree
+    QCOMPARE(fitted->lastStep, 900);
+    QCOMPARE(fitted->beams, 721);
+    QCOMPARE(fitted->turnsPerSlice, 1);
+    QCOMPARE(fitted->points, 98777.0);
+    QVERIFY(std::abs(fitted->sweepSpeed - degrees(1.16) / 0.025) < 1e-12);
+    QVERIFY(std::abs(fitted->time.count() - 137 * 0.025) < 1e-12);
+}
+
+void ScanPlanTest::steppingTakesMoveRestAndTurnInWholeTurns()
+{
+    ScanPlan plan;
+    plan.mode = ScanPlan::Mode::StepAndStare;
+    plan.slices = 10;
+    plan.pitchStep = degrees(2.0);
+    plan.travelSpeed = degrees(200.0);  // faster than the unit may: 100 degrees a second
+    plan.settle = 10ms;
+
+    const auto fitted = fitPlan(plan, utm30lx(), StillUnit());
+
+    QVERIFY(fitted.has_value());
+    QCOMPARE(fitted->sweepSpeed, 0.0);
+    QVERIFY(std::abs(fitted->time.count() - 10 * 0.075) < 1e-12);
+}
+
+void ScanPlanTest::aWideStepTakesSeveralTurns()
+{
+    ScanPlan plan;
+    plan.pitchStep = degrees(6.0);  // 240 degrees a second in one turn: the unit may do 100
+    plan.slices = 20;
+
+    const auto fitted = fitPlan(plan, utm30lx(), StillUnit());
+
+    QVERIFY(fitted.has_value());
+    QCOMPARE(fitted->turnsPerSlice, 3);
+    QVERIFY(std::abs(fitted->sweepSpeed - degrees(80.0)) < 1e-12);
+    QVERIFY(std::abs(fitted->time.count() - 1.5) < 1e-12);
+}
+
+void ScanPlanTest::whatTheDevicesCannotDoIsSaid_data()
+{
+    QTest::addColumn<ScanPlan>("plan");
+    QTest::addColumn<QString>("word");
+    const auto row = [](const char* name, const char* word, const auto& change) {
+        ScanPlan plan;
+        change(plan);
+        QTest::newRow(name) << plan << QString(word);
+    };
+
+    row("no slices", "1 to 65536", [](ScanPlan& p) { p.slices = 0; });
+    row("too many slices", "1 to 65536", [](ScanPlan& p) { p.slices = 65537; });
+    row("no step", "must not be 0", [](ScanPlan& p) { p.pitchStep = 0.0; });
+    row("step is no number", "must not be 0", [](ScanPlan& p) { p.pitchStep = std::nan(""); });
+    row("backwards", "or before it begins", [](ScanPlan& p) { p.lastBearing = p.firstBearing; });
+    row("beyond the laser's right", "sees from -45° to 225°", [](ScanPlan& p) { p.firstBearing = degrees(-50.0); });
+    row("beyond the laser's left", "sees from -45° to 225°", [](ScanPlan& p) { p.lastBearing = degrees(226.0); });
+    row("above the unit", "from 0° to 180°", [](ScanPlan& p) { p.slices = 160; });
+    row("below the unit", "from 0° to 180°", [](ScanPlan& p) { p.firstPitch = degrees(-1.0); });
+}
+
+void ScanPlanTest::whatTheDevicesCannotDoIsSaid()
+{
+    QFETCH(ScanPlan, plan);
+    QFETCH(QString, word);
+
+    const auto fitted = fitPlan(plan, utm30lx(), StillUnit());
+
+    QVERIFY(!fitted.has_value());
+    QCOMPARE(fitted.error().code, ErrorCode::Usage);
+    QVERIFY2(QString::fromStdString(fitted.error().message).contains(word), fitted.error().message.c_str());
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::ScanPlanTest)
+#include "scan_plan_test.moc"

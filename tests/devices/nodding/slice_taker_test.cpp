@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "devices/nodding/slice_taker.h"
+
+#include <QtTest>
+
+#include "tests/devices/nodding/still_unit.h"
+
+using namespace std::chrono_literals;
+
+namespace planewright {
+
+class SliceTakerTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aSweepBeginsAndEndsOutsideOfItsSlices();
+    void aSweepEndsAtTheLimits();
+    void turnsOfASweepBecomeItsSlices();
+    void aLostTurnLeavesAGap();
+    void theHeadGoesBackForManyLostTurns();
+    void everySecondTurnOfASlowSweepIsASlice();
+    void aSweepDownwardsCountsDownwards();
+    void aSweepGoesOnAtTheMissingSlice();
+    void anAngleThatIsNotAsToldIsMarkedOnceAndThenAnError();
+    void aHeadThatStopsInASweepIsSeen();
+    void aRestingSliceIsTakenAfterTheRestOnly();
+    void aRestingSliceHasTheMeanOfItsAngles();
+    void aHeadThatNeverGetsThereIsSeen();
+};
+
+namespace {
+
+using Time = std::chrono::nanoseconds;
+
+ScanPlan smallPlan(ScanPlan::Mode mode = ScanPlan::Mode::Continuous)
+{
+    ScanPlan plan;
+    plan.mode = mode;
+    plan.firstPitch = degrees(40.0);
+    plan.pitchStep = degrees(1.0);
+    plan.slices = 5;
+    plan.settle = 10ms;
+    return plan;
+}
+
+SliceTaker takerOf(const ScanPlan& plan)
+{
+    const StillUnit unit;
+    return {plan,
+            fitPlan(plan, utm30lx(), unit).value(),
+            utm30lx(),
+            {"unit", unit.lowest(), unit.highest(), unit.resolution(), unit.fastest()}};
+}
+
+/// The turn of the mirror whose first beam is at a moment; 180° of it take 12.5 ms.
+LaserScan turnAt(Time first)
+{
+    LaserScan scan;
+    scan.first = first;
+    scan.last = first + 12500us;
+    scan.arrived = scan.last + 1ms;
+    scan.ranges.assign(721, 2500);
+    return scan;
+}
+
+/// A head that has passed a pitch at time 0 and goes on at a speed [rad/s], sampled every 4 ms.
+TiltTrack movingTrack(double pitch, double speed, Time until)
+{
+    TiltTrack track;
+    for (Time t = -40ms; t <= until; t += 4ms)
+        track.add({t, pitch + speed * std::chrono::duration<double>(t).count(), true});
+    return track;
+}
+
+std::vector<ScanSlice> takeTurns(SliceTaker& taker, const TiltTrack& track, std::initializer_list<Time> turns)
+{
+    std::vector<ScanSlice> slices;
+    for (const Time turn : turns) {
+        const auto slice = taker.take(turnAt(turn), track);
+        if (slice && *slice)
+            slices.push_back(**slice);
+    }
+    return slices;
+}
+
+bool isNear(double angle, double inDegrees)
+{
+    return std::abs(toDegrees(angle) - inDegrees) < 1e-9;
+}
+
+}  // namespace
+
+void SliceTakerTest::aSweepBeginsAndEndsOutsideOfItsSlices()
+{
+    const SliceTaker taker = takerOf(smallPlan());  // 1 degree in 25 ms: 40 degrees a second
+
+    QVERIFY(isNear(taker.start().pitch, 40.0 - 0.06 * 40.0));
+    QVERIFY(isNear(taker.start().speed, 90.0));
+    QVERIFY(isNear(taker.goal().pitch, 44.0 + 2.0 * 1.0 + 2.0 + 0.03 * 4.0));
+    QVERIFY(isNear(taker.goal().speed, 40.0));
+}
+
+void SliceTakerTest::aSweepEndsAtTheLimits()
+{
+    ScanPlan plan = smallPlan();
+    plan.firstPitch = 0.0;
+    plan.pitchStep = degrees(2.0);
+    plan.slices = 91;
+
+    const SliceTaker taker = takerOf(plan);
+
+    QVERIFY(isNear(taker.start().pitch, 0.0));
+    QVERIFY(isNear(taker.goal().pitch, 180.0));
+}
+
+void SliceTakerTest::turnsOfASweepBecomeItsSlices()
+{
+    SliceTaker taker = takerOf(smallPlan());
+    taker.aimed(-30ms);
+    const TiltTrack track = movingTrack(degrees(39.8), degrees(40.0), 200ms);
+
+    // The head is at 38.8, 39.8, 40.8 ... degrees: the first is too early by more than half a step.
+    const auto slices = takeTurns(taker, track, {-25ms, 0ms, 25ms, 50ms, 75ms, 100ms, 125ms});
+
+    QCOMPARE(slices.size(), std::size_t(5));
+    for (int i = 0; i < 5; ++i) {
+        const ScanSlice& slice = slices[static_cast<std::size_t>(i)];
+        QCOMPARE(slice.step, i);
+        QCOMPARE(slice.time, std::chrono::microseconds(25ms * i));
+        QVERIFY(isNear(slice.tilt, 39.8 + i));
+        QVERIFY(isNear(slice.tiltEnd.value(), 39.8 + i + 0.5));
+        QVERIFY(isNear(slice.tiltCommanded.value(), 40.0 + i));
+        QVERIFY(isNear(slice.firstBearing, 0.0));
+        QCOMPARE(slice.ranges.size(), std::size_t(721));
+        QCOMPARE(slice.ranges[7], 2.5);
+        QVERIFY(!slice.angleSuspect && !slice.retaken);
+    }
+    QVERIFY(taker.isDone());
+}
+
+void SliceTakerTest::aLostTurnLeavesAGap()
+{
+    SliceTaker taker = takerOf(smallPlan());
+    taker.aimed(-30ms);
+    const TiltTrack track = movingTrack(degrees(40.0), degrees(40.0), 200ms);
+
+    const auto slices = takeTurns(taker, track, {0ms, 50ms, 75ms, 100ms});
+
+    QCOMPARE(slices.size(), std::size_t(4));
+    QCOMPARE(slices[1].step, 2);
+    QVERIFY(isNear(slices[1].tilt, 42.0));
+    QVERIFY(taker.isDone());
+}
+
+void SliceTakerTest::theHeadGoesBackForManyLostTurns()
+{
+    ScanPlan plan = smallPlan();
+    plan.slices = 20;
+    SliceTaker taker = takerOf(plan);
+    taker.aimed(-30ms);
+    const TiltTrack track = movingTrack(degrees(40.0), degrees(40.0), 400ms);
+
+    const auto slices = takeTurns(taker, track, {0ms, 25ms, 125ms});
+
+    QCOMPARE(slices.size(), std::size_t(2));
+    QVERIFY(taker.mustGoBack());
+    QCOMPARE(taker.next(), 2);
+    taker.resume();
+    QVERIFY(!taker.mustGoBack());
+    QVERIFY(isNear(taker.start().pitch, 42.0 - 2.4));
+}
+
+void SliceTakerTest::everySecondTurnOfASlowSweepIsASlice()
+{
+    ScanPlan plan = smallPlan();
+    plan.pitchStep = degrees(4.0);  // 160 degrees a second in one turn; the unit may do 100
+    plan.slices = 3;
+    SliceTaker taker = takerOf(plan);
+    taker.aimed(-30ms);
+    const TiltTrack track = movingTrack(degrees(40.0), degrees(80.0), 200ms);
+
+    const auto slices = takeTurns(taker, track, {0ms, 25ms, 50ms, 75ms, 100ms});
+
+    QCOMPARE(slices.size(), std::size_t(3));
+    QCOMPARE(slices[2].step, 2);
+    QVERIFY(isNear(slices[1].tilt, 44.0));
+}
+
+void SliceTakerTest::aSweepDownwardsCountsDownwards()
+{
+    ScanPlan plan = smallPlan();
+    plan.pitchStep = degrees(-1.0);
+    SliceTaker taker = takerOf(plan);
+    QVERIFY(isNear(taker.start().pitch, 42.4));
+    taker.aimed(-30ms);
+    const TiltTrack track = movingTrack(degrees(40.2), degrees(-40.0), 200ms);
+
+    const auto slices = takeTurns(taker, track, {-25ms, 0ms, 25ms, 50ms, 75ms, 100ms});
+
+    QCOMPARE(slices.size(), std::size_t(5));
+    QVERIFY(isNear(slices[4].tilt, 36.2));
+}
+
+void SliceTakerTest::aSweepGoesOnAtTheMissingSlice()
+{
+    SliceTaker taker = takerOf(smallPlan());
+    taker.aimed(-30ms);
+    takeTurns(taker, movingTrack(degrees(40.0), degrees(40.0), 100ms), {0ms, 25ms});
+    taker.resume();
+    QVERIFY(isNear(taker.start().pitch, 42.0 - 2.4));
+    taker.aimed(960ms);
+
+    TiltTrack second;
+    for (Time t = 950ms; t < 1200ms; t += 4ms)
+        second.add({t, degrees(42.0) + degrees(40.0) * std::chrono::duration<double>(t - 1000ms).count(), true});
+    const auto slices = takeTurns(taker, second, {955ms, 1000ms, 1025ms, 1050ms});
+
+    QCOMPARE(slices.size(), std::size_t(3));
+    QCOMPARE(slices[0].step, 2);
+    QVERIFY(slices[0].retaken);
+    QVERIFY(!slices[1].retaken);
+    QCOMPARE(slices[0].time, std::chrono::microseconds(1s));
+}
+
+void SliceTakerTest::anAngleThatIsNotAsToldIsMarkedOnceAndThenAnError()
+{
+    ScanPlan plan = smallPlan();
+    plan.slices = 20;
+    SliceTaker taker = takerOf(plan);
+    taker.aimed(-30ms);
+    TiltTrack track;
+    for (Time t = -40ms; t <= 400ms; t += 4ms) {  // it jumps by 5 degrees
+        const double jump = t > 80ms ? degrees(5.0) : 0.0;
+        track.add({t, degrees(40.0) + jump + degrees(40.0) * std::chrono::duration<double>(t).count(), true});
+    }
+
+    takeTurns(taker, track, {0ms, 25ms, 50ms});
+    const auto suspect = taker.take(turnAt(100ms), track);
+    const auto failed = taker.take(turnAt(125ms), track);
+
+    QVERIFY(suspect && *suspect);
+    QVERIFY((*suspect)->angleSuspect);
+    QVERIFY(isNear((*suspect)->tilt, 49.0));  // measured, not as told
+    QVERIFY(!failed);
+    QCOMPARE(failed.error().code, ErrorCode::DeviceLost);
+}
+
+void SliceTakerTest::aHeadThatStopsInASweepIsSeen()
+{
+    ScanPlan plan = smallPlan();
+    plan.slices = 60;
+    SliceTaker taker = takerOf(plan);
+    taker.aimed(-30ms);
+    TiltTrack track = movingTrack(degrees(40.0), degrees(40.0), 400ms);
+    QVERIFY(taker.getsOn(track, 400ms));
+
+    for (Time t = 404ms; t <= 900ms; t += 4ms)
+        track.add({t, degrees(56.0), false});
+
+    QVERIFY(!taker.getsOn(track, 900ms));
+}
+
+void SliceTakerTest::aRestingSliceIsTakenAfterTheRestOnly()
+{
+    SliceTaker taker = takerOf(smallPlan(ScanPlan::Mode::StepAndStare));
+    QVERIFY(taker.aimsForEach());
+    QVERIFY(isNear(taker.goal().pitch, 40.0));
+    taker.aimed(0ms);
+    TiltTrack track;
+    for (Time t = 0ms; t <= 100ms; t += 5ms)
+        track.add({t, degrees(t < 20ms ? 39.0 : 40.0), t < 30ms});
+
+    // It rests from 20 ms on, and is to be left alone for 10 ms more.
+    QVERIFY(takeTurns(taker, track, {-5ms, 5ms, 20ms, 29ms}).empty());
+    const auto slices = takeTurns(taker, track, {30ms});
+
+    QCOMPARE(slices.size(), std::size_t(1));
+    QCOMPARE(slices[0].step, 0);
+    QVERIFY(!slices[0].tiltEnd);
+    QVERIFY(isNear(taker.goal().pitch, 41.0));
+}
+
+void SliceTakerTest::aRestingSliceHasTheMeanOfItsAngles()
+{
+    SliceTaker taker = takerOf(smallPlan(ScanPlan::Mode::StepAndStare));
+    taker.aimed(0ms);
+    TiltTrack track;
+    for (Time t = 0ms; t <= 100ms; t += 4ms)
+        track.add({t, degrees(t == 48ms ? 40.2 : 40.0), false});
+
+    const auto slices = takeTurns(taker, track, {40ms});  // samples at 40, 44, 48 and 52 ms
+
+    QCOMPARE(slices.size(), std::size_t(1));
+    QVERIFY(isNear(slices[0].tilt, 40.05));
+    QVERIFY(isNear(slices[0].tiltCommanded.value(), 40.0));
+}
+
+void SliceTakerTest::aHeadThatNeverGetsThereIsSeen()
+{
+    SliceTaker taker = takerOf(smallPlan(ScanPlan::Mode::StepAndStare));
+    taker.aimed(0ms);
+    TiltTrack track;
+    for (Time t = 0ms; t <= 400ms; t += 5ms)
+        track.add({t, degrees(39.0), false});
+
+    QVERIFY(taker.getsOn(track, 299ms));
+    QVERIFY(!taker.getsOn(track, 400ms));
+    QVERIFY(takeTurns(taker, track, {100ms, 200ms}).empty());
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::SliceTakerTest)
+#include "slice_taker_test.moc"

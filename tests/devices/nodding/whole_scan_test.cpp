@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <QtTest>
+
+#include "core/geometry/sensor_model.h"
+#include "core/pipeline/plane_extractor.h"
+#include "core/simulation/nodding_scanner.h"
+#include "tests/devices/nodding/emulated_scanner.h"
+
+namespace planewright {
+
+/// The planes of a scan that came through drivers and emulated devices, byte by byte, are those of the simulator.
+class WholeScanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itsPlanesAreThoseOfTheSimulator_data();
+    void itsPlanesAreThoseOfTheSimulator();
+};
+
+namespace {
+
+using Tilt = EmulatedRigSetup::Tilt;
+using Mode = ScanPlan::Mode;
+
+constexpr int kLarge = 3000;  ///< points of a plane that is compared
+
+std::vector<Plane> planesOf(const ScanDescription& description, const std::vector<ScanSlice>& slices)
+{
+    PlaneExtractor extractor(sensorOf(description), Parameters{});
+    for (const ScanSlice& slice : slices)
+        extractor.step(slice);
+    const auto snapshot = extractor.finish();
+    std::vector<Plane> planes;
+    for (const auto& plane : snapshot->planes)
+        planes.push_back(*plane);
+    return planes;
+}
+
+}  // namespace
+
+void WholeScanTest::itsPlanesAreThoseOfTheSimulator_data()
+{
+    QTest::addColumn<Tilt>("tilt");
+    QTest::addColumn<Mode>("mode");
+    QTest::newRow("servo, sweeping") << Tilt::Servo << Mode::Continuous;
+    QTest::newRow("servo, stepping") << Tilt::Servo << Mode::StepAndStare;
+    QTest::newRow("board, sweeping") << Tilt::Board << Mode::Continuous;
+    QTest::newRow("board, stepping") << Tilt::Board << Mode::StepAndStare;
+}
+
+void WholeScanTest::itsPlanesAreThoseOfTheSimulator()
+{
+    QFETCH(Tilt, tilt);
+    QFETCH(Mode, mode);
+    EmulatedRigSetup setup;
+    setup.scene = makeScene("corridor", 7).value();
+    setup.noise = simulationNoise("default").value();
+    setup.tilt = tilt;
+    EmulatedScanner emulated(setup);
+    ScanPlan plan;  // Table VIII
+    plan.mode = mode;
+    const auto source = emulated.open(plan);
+    QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
+    QVERIFY((*source)->begin({}).has_value());
+    std::vector<ScanSlice> slices;
+    for (auto slice = (*source)->next({}); slice && *slice; slice = (*source)->next({}))
+        slices.push_back(**slice);
+    QCOMPARE(slices.size(), std::size_t(137));
+    const SimulatedScan simulated = simulate(setup.scene, AcquisitionSettings{}, setup.noise, 1);
+
+    const std::vector<Plane> planes = planesOf((*source)->description(), slices);
+    const std::vector<Plane> expected = planesOf(simulated.recording.description, simulated.recording.slices);
+
+    int large = 0;
+    for (const Plane& wanted : expected) {
+        if (wanted.points < kLarge)
+            continue;
+        ++large;
+        // A count of the servo is 0.29 degrees, 5 mrad; half of it at most, for every slice another.
+        const bool isThere = std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+            return plane.normal.dot(wanted.normal) > std::cos(degrees(0.15)) &&
+                   std::abs(plane.distance - wanted.distance) < 0.01;
+        });
+        QVERIFY2(isThere, qPrintable(QString("plane %1 at %2 m").arg(wanted.id).arg(wanted.distance)));
+    }
+    QVERIFY(large >= 4);
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::WholeScanTest)
+#include "whole_scan_test.moc"

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/panels/device_form.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "ui/panels/source_panel.h"
+
+namespace planewright {
+
+class DeviceFormTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void theOnlyDeviceThatThereIsIsChosen();
+    void whatWasTypedStaysWhenSomethingIsPluggedIn();
+    void eachFieldOffersWhatItMayBe();
+    void whatStandsInTheWayIsToldWithItsCure();
+    void aTestNeedsBothDevices();
+    void checksHaveASignAndWords();
+    void factsStandOutWhereTheyAreTrouble();
+    void theSetupIsGivenAsItWasTyped();
+    void steppingTakesLonger();
+
+private:
+    template <class Widget>
+    Widget* find(const char* name) const
+    {
+        return panel_->findChild<Widget*>(QLatin1String(name));
+    }
+    DeviceForm& form() { return panel_->devices(); }
+
+    std::unique_ptr<SourcePanel> panel_;
+};
+
+namespace {
+
+const DeviceChoice kLaser{"usb:00903971", "UTM-30LX, number 00903971", "", true, false};
+const DeviceChoice kServo{"dynamixel:usb:AB12", "USB2Dynamixel", "", false, true};
+
+}  // namespace
+
+void DeviceFormTest::init()
+{
+    panel_ = std::make_unique<SourcePanel>();
+    panel_->resize(300, 800);
+    find<QComboBox>("sourceType")->setCurrentIndex(2);
+    panel_->show();
+}
+
+void DeviceFormTest::theOnlyDeviceThatThereIsIsChosen()
+{
+    form().setChoices({kLaser, kServo});
+
+    QCOMPARE(form().setup().laser, std::string("usb:00903971"));
+    QCOMPARE(form().setup().tiltUnit, std::string("dynamixel:usb:AB12"));
+    QVERIFY(find<QPushButton>("openSource")->isEnabled());
+    QCOMPARE(find<QPushButton>("openSource")->text(), QString("Connect"));
+}
+
+void DeviceFormTest::whatWasTypedStaysWhenSomethingIsPluggedIn()
+{
+    find<QComboBox>("laser")->setEditText("tcp:192.168.0.10:10940");
+
+    form().setChoices({kLaser, kServo});
+
+    QCOMPARE(form().setup().laser, std::string("tcp:192.168.0.10:10940"));
+}
+
+void DeviceFormTest::eachFieldOffersWhatItMayBe()
+{
+    form().setChoices({kLaser, kServo, {"usb:00903972", "another", "", true, false}});
+
+    QCOMPARE(find<QComboBox>("laser")->count(), 2);
+    QCOMPARE(find<QComboBox>("tiltUnit")->count(), 1);
+    QVERIFY(form().setup().laser.empty());  // of two none is chosen for anybody
+    emit find<QComboBox>("laser")->activated(1);
+    QCOMPARE(form().setup().laser, std::string("usb:00903972"));
+}
+
+void DeviceFormTest::whatStandsInTheWayIsToldWithItsCure()
+{
+    DeviceChoice denied = kLaser;
+    denied.problem = "you may not use it yet; once, run: sudo something";
+
+    form().setChoices({denied, kServo});
+
+    const auto labels = form().findChildren<QLabel*>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text().contains("sudo something");
+    }));
+}
+
+void DeviceFormTest::aTestNeedsBothDevices()
+{
+    QVERIFY(!find<QPushButton>("testDevices")->isEnabled());
+    QVERIFY(!find<QPushButton>("openSource")->isEnabled());
+    form().setChoices({kLaser, kServo});
+    QVERIFY(find<QPushButton>("testDevices")->isEnabled());
+
+    form().setTestable(false);
+
+    QVERIFY(!find<QPushButton>("testDevices")->isEnabled());
+    QVERIFY(!find<QPushButton>("findDevices")->isEnabled());
+}
+
+void DeviceFormTest::checksHaveASignAndWords()
+{
+    using State = DeviceCheck::State;
+    form().setChecks({{"Permission", State::Passed, ""},
+                      {"Laser answers", State::Failed, "plug <it> in"},
+                      {"One slice", State::Waiting, ""}});
+
+    const QString text = find<QLabel>("deviceChecks")->text();
+    QVERIFY(text.contains(QStringLiteral("✔ Permission")));
+    QVERIFY(text.contains(QStringLiteral("✘ Laser answers</b>: plug &lt;it&gt; in")));
+    QVERIFY(text.contains(QStringLiteral("○ One slice")));
+    QVERIFY(find<QLabel>("deviceChecks")->isVisible());
+    form().setChecks({});
+    QVERIFY(!find<QLabel>("deviceChecks")->isVisible());
+}
+
+void DeviceFormTest::factsStandOutWhereTheyAreTrouble()
+{
+    form().setFacts({{"Temperature", "41 °C", false}, {"", "the servo is too warm", true}});
+
+    const QString text = find<QLabel>("deviceFacts")->text();
+    QVERIFY(text.contains(QStringLiteral("Temperature 41 °C")));
+    QVERIFY(text.contains(QStringLiteral("<b>▲  the servo is too warm</b>")));
+}
+
+void DeviceFormTest::theSetupIsGivenAsItWasTyped()
+{
+    QSignalSpy requested(panel_.get(), &SourcePanel::devicesRequested);
+    const DeviceSetup setup{"usb:", "board:usb:", true, 20.0, 120.0, 2.5, 10.0, 170.0};
+    panel_->showDevices(setup);
+
+    find<QPushButton>("openSource")->click();
+
+    QCOMPARE(requested.count(), 1);
+    QVERIFY(requested.at(0).at(0).value<DeviceSetup>() == setup);
+}
+
+void DeviceFormTest::steppingTakesLonger()
+{
+    QCOMPARE(find<QLabel>("scanSize")->text(), QStringLiteral("137 steps × 721 points = 98,777 points, about 3.4 s"));
+
+    find<QComboBox>("scanMode")->setCurrentIndex(1);
+
+    QCOMPARE(find<QLabel>("scanSize")->text(), QStringLiteral("137 steps × 721 points = 98,777 points, about 10.3 s"));
+}
+
+}  // namespace planewright
+
+QTEST_MAIN(planewright::DeviceFormTest)
+#include "device_form_test.moc"

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/panels/device_form.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/panels/plain_fields.h"
+#include "ui/panels/problem_label.h"
+
+namespace planewright {
+
+namespace {
+
+/// Sign and words of a check; the sign alone does not tell, for those who do not see colours.
+QString lineOf(const DeviceCheck& check)
+{
+    const QString name = QString::fromStdString(check.name).toHtmlEscaped();
+    const QString detail = QString::fromStdString(check.detail).toHtmlEscaped();
+    const QString tail = detail.isEmpty() ? QString{} : QStringLiteral(": ") + detail;
+    switch (check.state) {
+        case DeviceCheck::State::Waiting:
+            return QStringLiteral("○ ") + name;
+        case DeviceCheck::State::Running:
+            return QStringLiteral("◌ ") + name + QStringLiteral("…");
+        case DeviceCheck::State::Passed:
+            return QStringLiteral("✔ ") + name + tail;
+        case DeviceCheck::State::Failed:
+            break;
+    }
+    return QStringLiteral("<b>✘ ") + name + QStringLiteral("</b>") + tail;
+}
+
+QLabel* textLabel(const QString& name, const QString& accessible, QWidget* parent)
+{
+    auto* label = new QLabel(parent);
+    label->setObjectName(name);
+    label->setAccessibleName(accessible);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::RichText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label->hide();
+    return label;
+}
+
+}  // namespace
+
+DeviceForm::DeviceForm(QWidget* parent)
+    : QWidget(parent),
+      trouble_(new ProblemLabel(this)),
+      mode_(new QuietComboBox(this)),
+      search_(new QPushButton(tr("&Find devices"), this)),
+      test_(new QPushButton(tr("&Test"), this)),
+      checks_(textLabel(QStringLiteral("deviceChecks"), tr("Checks of the devices"), this)),
+      facts_(textLabel(QStringLiteral("deviceFacts"), tr("Health of the devices"), this))
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    auto* form = new QFormLayout;
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    layout->addLayout(form);
+    laser_ = addAddress(form, tr("&Laser"), QStringLiteral("laser"), tr("usb:  or  tcp:192.168.0.10:10940"));
+    unit_ = addAddress(form, tr("Tilt &unit"), QStringLiteral("tiltUnit"), tr("dynamixel:usb:  or  board:usb:"));
+    trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    form->addRow(trouble_);
+    mode_->setObjectName(QStringLiteral("scanMode"));
+    mode_->setAccessibleName(tr("Motion"));
+    mode_->addItems({tr("Sweep: a slice each turn"), tr("Step and stare")});
+    form->addRow(tr("&Motion"), mode_);
+    firstTilt_ = addAngle(form, tr("Tilt from"), QStringLiteral("deviceFirstTilt"), -90.0, 270.0);
+    lastTilt_ = addAngle(form, tr("Tilt to"), QStringLiteral("deviceLastTilt"), -90.0, 270.0);
+    tiltStep_ = addAngle(form, tr("Tilt step"), QStringLiteral("deviceTiltStep"), -90.0, 90.0);
+    firstBearing_ = addAngle(form, tr("Bearing from"), QStringLiteral("deviceFirstBearing"), -180.0, 360.0);
+    lastBearing_ = addAngle(form, tr("Bearing to"), QStringLiteral("deviceLastBearing"), -180.0, 360.0);
+    firstTilt_->setToolTip(tr("90° looks level, less looks down"));
+    tiltStep_->setToolTip(tr("Steps of a servo with 1023 counts over 300° are multiples of 0.293°"));
+    auto* buttons = new QHBoxLayout;
+    search_->setObjectName(QStringLiteral("findDevices"));
+    search_->setToolTip(tr("Looks for what is connected, and asks lasers for their number"));
+    test_->setObjectName(QStringLiteral("testDevices"));
+    test_->setToolTip(tr("Opens both, takes a slice, and moves the head by 5° and back"));
+    buttons->addWidget(search_);
+    buttons->addWidget(test_);
+    layout->addLayout(buttons);
+    layout->addWidget(checks_);
+    layout->addWidget(facts_);
+    setSetup({});
+    for (QComboBox* box : {laser_, unit_})
+        connect(box, &QComboBox::editTextChanged, this, &DeviceForm::changed);
+    connect(mode_, &QComboBox::currentIndexChanged, this, &DeviceForm::changed);
+    connect(search_, &QPushButton::clicked, this, &DeviceForm::searchRequested);
+    connect(test_, &QPushButton::clicked, this, &DeviceForm::testRequested);
+    connect(this, &DeviceForm::changed, this, [this] {
+        test_->setEnabled(problem().isEmpty() && test_->property("testable").toBool());
+        const QString laserNote = noteOf(laser_);
+        trouble_->tell(laserNote.isEmpty() ? noteOf(unit_) : laserNote);
+    });
+    setTestable(true);
+}
+
+QComboBox* DeviceForm::addAddress(QFormLayout* form, const QString& label, const QString& name, const QString& hint)
+{
+    auto* box = new QuietComboBox(this);
+    box->setObjectName(name);
+    box->setAccessibleName(QString(label).remove('&'));
+    box->setEditable(true);
+    box->setInsertPolicy(QComboBox::NoInsert);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(12);
+    box->lineEdit()->setPlaceholderText(hint);
+    form->addRow(label, box);
+    // The list shows names, the field addresses.
+    connect(box, &QComboBox::activated, this, [box](int index) { box->setEditText(box->itemData(index).toString()); });
+    return box;
+}
+
+QDoubleSpinBox* DeviceForm::addAngle(QFormLayout* form, const QString& label, const QString& name, double lowest,
+                                     double highest)
+{
+    auto* box = new PlainSpinBox(this);
+    box->setObjectName(name);
+    box->setAccessibleName(label);
+    box->setDecimals(3);
+    box->setRange(lowest, highest);
+    box->setSuffix(QStringLiteral("°"));
+    form->addRow(label, box);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &DeviceForm::changed);
+    return box;
+}
+
+DeviceSetup DeviceForm::setup() const
+{
+    return {.laser = laser_->currentText().trimmed().toStdString(),
+            .tiltUnit = unit_->currentText().trimmed().toStdString(),
+            .stepAndStare = mode_->currentIndex() == 1,
+            .firstTilt = firstTilt_->value(),
+            .lastTilt = lastTilt_->value(),
+            .tiltStep = tiltStep_->value(),
+            .firstBearing = firstBearing_->value(),
+            .lastBearing = lastBearing_->value()};
+}
+
+void DeviceForm::setSetup(const DeviceSetup& setup)
+{
+    laser_->setEditText(QString::fromStdString(setup.laser));
+    unit_->setEditText(QString::fromStdString(setup.tiltUnit));
+    mode_->setCurrentIndex(setup.stepAndStare ? 1 : 0);
+    firstTilt_->setValue(setup.firstTilt);
+    lastTilt_->setValue(setup.lastTilt);
+    tiltStep_->setValue(setup.tiltStep);
+    firstBearing_->setValue(setup.firstBearing);
+    lastBearing_->setValue(setup.lastBearing);
+}
+
+void DeviceForm::setChoices(const std::vector<DeviceChoice>& choices)
+{
+    choices_ = choices;
+    for (QComboBox* box : {laser_, unit_}) {
+        const QString typed = box->currentText();
+        const QSignalBlocker quiet(box);
+        box->clear();
+        for (const DeviceChoice& choice : choices_) {
+            if (box == laser_ ? !choice.isLaser : !choice.isTiltUnit)
+                continue;
+            const QString address = QString::fromStdString(choice.address);
+            box->addItem(choice.name.empty() ? address : QString::fromStdString(choice.name) + " – " + address,
+                         address);
+        }
+        // Where nothing was chosen yet, the only one that there is.
+        box->setEditText(typed.isEmpty() && box->count() == 1 ? box->itemData(0).toString() : typed);
+    }
+    emit changed();
+}
+
+/// Why what was chosen cannot be used, as far as is known.
+QString DeviceForm::noteOf(const QComboBox* box) const
+{
+    const std::string address = box->currentText().trimmed().toStdString();
+    const auto choice = std::find_if(choices_.begin(), choices_.end(),
+                                     [&](const DeviceChoice& c) { return c.address == address && !c.problem.empty(); });
+    return choice == choices_.end() ? QString{} : QString::fromStdString(choice->problem);
+}
+
+void DeviceForm::setChecks(const std::vector<DeviceCheck>& checks)
+{
+    QStringList lines;
+    for (const DeviceCheck& check : checks)
+        lines += lineOf(check);
+    checks_->setText(lines.join(QStringLiteral("<br>")));
+    checks_->setVisible(!lines.isEmpty());
+}
+
+void DeviceForm::setFacts(const std::vector<DeviceFact>& facts)
+{
+    QStringList lines;
+    for (const DeviceFact& fact : facts) {
+        const QString line = QStringLiteral("%1 %2").arg(QString::fromStdString(fact.name).toHtmlEscaped(),
+                                                         QString::fromStdString(fact.value).toHtmlEscaped());
+        lines += fact.isTrouble ? QStringLiteral("<b>▲ ") + line + QStringLiteral("</b>") : line;
+    }
+    facts_->setText(lines.join(QStringLiteral("<br>")));
+    facts_->setVisible(!lines.isEmpty());
+}
+
+void DeviceForm::setTestable(bool testable)
+{
+    test_->setProperty("testable", testable);
+    search_->setEnabled(testable);
+    emit changed();
+}
+
+QString DeviceForm::problem() const
+{
+    if (laser_->currentText().trimmed().isEmpty())
+        return tr("Choose a laser, or type its address.");
+    if (unit_->currentText().trimmed().isEmpty())
+        return tr("Choose a tilt unit, or type its address.");
+    return {};
+}
+
+}  // namespace planewright

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "ui/common/device_setup.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+
+namespace planewright {
+
+class ProblemLabel;
+
+/// A laser and a tilt unit: which ones, how they scan, whether they work, and how they are.
+class DeviceForm : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DeviceForm(QWidget* parent = nullptr);
+
+    DeviceSetup setup() const;
+    void setSetup(const DeviceSetup& setup);
+
+    /// What is connected now; what was typed or chosen stays.
+    void setChoices(const std::vector<DeviceChoice>& choices);
+    /// The checks of the last test, in order; empty: none was made.
+    void setChecks(const std::vector<DeviceCheck>& checks);
+    /// What the devices say of themselves; empty where they are not scanning.
+    void setFacts(const std::vector<DeviceFact>& facts);
+    /// Nothing can be tested while they scan.
+    void setTestable(bool testable);
+
+    /// What is missing or wrong in what was chosen; empty where nothing is.
+    QString problem() const;
+
+signals:
+    void changed();
+    /// What is connected is to be looked for, and asked who it is.
+    void searchRequested();
+    void testRequested();
+
+private:
+    QComboBox* addAddress(QFormLayout* form, const QString& label, const QString& name, const QString& hint);
+    QDoubleSpinBox* addAngle(QFormLayout* form, const QString& label, const QString& name, double lowest,
+                             double highest);
+    QString noteOf(const QComboBox* box) const;
+
+    std::vector<DeviceChoice> choices_;
+    QComboBox* laser_;
+    QComboBox* unit_;
+    ProblemLabel* trouble_;
+    QComboBox* mode_;
+    QDoubleSpinBox* firstTilt_;
+    QDoubleSpinBox* lastTilt_;
+    QDoubleSpinBox* tiltStep_;
+    QDoubleSpinBox* firstBearing_;
+    QDoubleSpinBox* lastBearing_;
+    QPushButton* search_;
+    QPushButton* test_;
+    QLabel* checks_;
+    QLabel* facts_;
+};
+
+}  // namespace planewright
