@@ -65,7 +65,8 @@ Result<void> stepThrough(BoardRig& rig, int steps, std::chrono::nanoseconds cloc
         if (const auto moved = rig.tilt.moveTo(degrees(30.0 + 1.16 * i), degrees(100.0)); !moved)
             return tl::unexpected(moved.error());
         bool moves = true;
-        for (const auto end = rig.clock.now() + 30ms; moves || rig.clock.now() < end;) {
+        const auto begun = rig.clock.now();
+        while (moves || rig.clock.now() < begun + 30ms) {
             const auto sample = rig.tilt.sample(rig.clock.now() + 1s, {});
             if (!sample)
                 return tl::unexpected(sample.error());
@@ -73,6 +74,8 @@ Result<void> stepThrough(BoardRig& rig, int steps, std::chrono::nanoseconds cloc
                 return fail(ErrorCode::Internal, "a sample is missing, wrong or out of order");
             last = (*sample)->at;
             moves = (*sample)->moving;
+            if (rig.clock.now() > begun + 10s)
+                return fail(ErrorCode::Internal, "a motion never ended");
         }
     }
     return {};

@@ -17,6 +17,7 @@ class BoardTiltHoldTest : public QObject {
 private slots:
     void holdingTakesOneRoundTripWhileAnotherThreadWaitsForSamples();
     void noMotionSlipsInAfterAHold();
+    void aHoldKeepsBackAMotionThatWouldBeRepeated();
     void aHoldWhoseRequestIsLostEndsTheHeartbeats();
     void aHoldWhoseReplyIsLostIsNeverASecondOne();
     void armingAfterAHoldOfUnknownFateLeavesTheTorque();
@@ -28,29 +29,49 @@ namespace {
 using namespace std::chrono_literals;
 using board::State;
 
-/// Lets a clock that stands go on in small steps, each when somebody has waited for it, until something is done.
-template <class Done>
-void goOnUntil(FakeClock& clock, Done&& done)
-{
-    while (!done()) {
-        const int waits = clock.waits();
-        while (!done() && clock.waits() <= waits)
-            std::this_thread::yield();
-        clock.advance(200us);
-    }
-}
+constexpr int kPatience = 60'000;  // ms of a busy machine
 
-/// Does something in another thread while the clock goes on.
-template <class Work>
-void doWhileTimePasses(FakeClock& clock, Work&& work)
-{
-    std::atomic<bool> done{false};
-    std::jthread worker{[&] {
-        work();
-        done = true;
-    }};
-    goOnUntil(clock, [&] { return done.load(); });
-}
+/// Lets a clock that stands go on in small steps, each when somebody has waited for it. Declare it before the threads
+/// that wait: it must outlive them.
+class PassingTime {
+public:
+    explicit PassingTime(FakeClock& clock) : thread_([this, &clock](const std::stop_token& stop) { run(clock, stop); })
+    {
+    }
+
+    /// No time passes while one of these lives. Declare it after the threads that wait: it must end before them.
+    class Pause {
+    public:
+        explicit Pause(PassingTime& time) : time_(time) { time_.setPaused(true); }
+        ~Pause() { time_.setPaused(false); }
+        Pause(const Pause&) = delete;
+        Pause& operator=(const Pause&) = delete;
+
+    private:
+        PassingTime& time_;
+    };
+
+private:
+    void setPaused(bool is)
+    {
+        const std::scoped_lock lock(mutex_);
+        isPaused_ = is;
+    }
+    void run(FakeClock& clock, const std::stop_token& stop)
+    {
+        for (int waits = 0; !stop.stop_requested(); std::this_thread::yield()) {
+            const std::scoped_lock lock(mutex_);
+            if (isPaused_ || clock.waits() == waits)
+                continue;
+            waits = clock.waits();
+            clock.advance(500us);
+        }
+    }
+
+    std::mutex mutex_;
+    bool isPaused_ = false;
+    std::jthread thread_;
+};
 
 /// Loses what it is told to.
 class LossyTransport : public Transport {
@@ -60,6 +81,7 @@ public:
         std::atomic<bool> fromBoard{false};
         std::atomic<int> heartbeats{0};  ///< that were written
         std::atomic<int> estops{0};
+        std::atomic<int> motions{0};
         std::atomic<int> motionsAfterEstop{0};
     };
 
@@ -84,7 +106,10 @@ public:
         for (const board::Frame& frame : board::FrameParser{}.push(bytes)) {
             losses_->heartbeats += frame.type == board::Heartbeat::kType ? 1 : 0;
             losses_->estops += frame.type == board::Estop::kType ? 1 : 0;
-            losses_->motionsAfterEstop += frame.type == board::Move::kType && losses_->estops > 0 ? 1 : 0;
+            if (frame.type == board::Move::kType) {
+                ++losses_->motions;
+                losses_->motionsAfterEstop += losses_->estops > 0 ? 1 : 0;
+            }
         }
         return written;
     }
@@ -112,6 +137,16 @@ struct LossyRig {
         board->pitchAt(clock.now());
         return board->state();
     }
+    double pitch()
+    {
+        const std::scoped_lock lock(*mutex);
+        return board->pitchAt(clock.now());
+    }
+    int torque()
+    {
+        const std::scoped_lock lock(*mutex);
+        return board->torque();
+    }
 
     FakeClock clock;
     std::shared_ptr<std::mutex> mutex = std::make_shared<std::mutex>();
@@ -133,55 +168,75 @@ void BoardTiltHoldTest::holdingTakesOneRoundTripWhileAnotherThreadWaitsForSample
     BoardTiltOptions options = BoardRig::level();
     options.positionRate = 1;  // who waits for a sample waits long
     LossyRig rig{options, FakeClock::Kind::Stands};
-    bool isMoving = false;
-    doWhileTimePasses(rig.clock, [&] {
-        isMoving = rig.tilt.connect({}) && rig.tilt.arm({}) && rig.tilt.moveTo(degrees(160.0), degrees(100.0));
-    });
-    QVERIFY(isMoving);
+    PassingTime time{rig.clock};
+    QVERIFY(rig.tilt.connect({}) && rig.tilt.arm({}) && rig.tilt.moveTo(degrees(160.0), degrees(100.0)));
     std::jthread sampler{[&](const std::stop_token& stop) {
         while (!stop.stop_requested() && rig.tilt.sample(rig.clock.now() + 10s, stop)) {
         }
     }};
-    goOnUntil(rig.clock, [&, until = rig.clock.now() + 20ms] { return rig.clock.now() >= until; });
-    QCOMPARE(rig.state(), State::Moving);
-
+    QTRY_VERIFY_WITH_TIMEOUT(rig.pitch() > degrees(91.0), kPatience);
     std::atomic<bool> isHeld{false};
-    std::jthread holder{[&] { isHeld = rig.tilt.hold().has_value(); }};
-    QTRY_COMPARE(rig.losses->estops.load(), 1);  // no time has passed
-    rig.clock.advance(500us);                    // 0.2 ms there, 0.06 ms inside, 0.2 ms back
+    std::jthread holder;
+    const PassingTime::Pause pause{time};
 
-    QTRY_VERIFY(isHeld);
+    holder = std::jthread{[&] { isHeld = rig.tilt.hold().has_value(); }};
+    QTRY_COMPARE_WITH_TIMEOUT(rig.losses->estops.load(), 1, kPatience);  // no time has passed
+    rig.clock.advance(500us);                                            // 0.2 ms there, 0.06 ms inside, 0.2 ms back
+
+    QTRY_VERIFY_WITH_TIMEOUT(isHeld, kPatience);
     QCOMPARE(rig.state(), State::Estopped);
 }
 
 void BoardTiltHoldTest::noMotionSlipsInAfterAHold()
 {
-    for (int run = 0; run < 4; ++run) {
+    for (int run = 0; run < 5; ++run) {
         LossyRig rig{BoardRig::level(), FakeClock::Kind::Stands};
-        bool isArmed = false;
-        doWhileTimePasses(rig.clock, [&] { isArmed = rig.tilt.connect({}) && rig.tilt.arm({}); });
-        QVERIFY(isArmed);
+        PassingTime time{rig.clock};
+        QVERIFY(rig.tilt.connect({}) && rig.tilt.arm({}));
+        std::atomic<int> moves{0};
         std::atomic<bool> wasHeld{false};
-        std::atomic<bool> isMover{false};
-        std::jthread mover{[&] {
-            for (int i = 0; !wasHeld; ++i) {
-                const auto moved = rig.tilt.moveTo(degrees(i % 2 == 0 ? 100.0 : 80.0), degrees(100.0));
-                isMover = true;
+        std::jthread mover{[&](const std::stop_token& stop) {
+            while (!wasHeld && !stop.stop_requested()) {
+                const auto moved = rig.tilt.moveTo(degrees(moves % 2 == 0 ? 100.0 : 80.0), degrees(100.0));
                 wasHeld = !moved && moved.error().code == ErrorCode::Interrupted;
+                ++moves;
             }
         }};
-        goOnUntil(rig.clock, [&] { return isMover.load(); });
+        QTRY_VERIFY_WITH_TIMEOUT(moves > 2, kPatience);
 
-        std::atomic<bool> isHeld{false};
-        std::jthread holder{[&] { isHeld = rig.tilt.hold().has_value(); }};
-        goOnUntil(rig.clock, [&] { return isHeld.load() && wasHeld.load(); });
+        QVERIFY(rig.tilt.hold());
 
+        QTRY_VERIFY_WITH_TIMEOUT(wasHeld, kPatience);
         QCOMPARE(rig.state(), State::Estopped);
         QCOMPARE(rig.losses->motionsAfterEstop.load(), 0);
-        const double rest = rig.board->pitchAt(rig.clock.now() + 100ms);
-        QCOMPARE(rig.board->pitchAt(rig.clock.now() + 2s), rest);
-        QCOMPARE(rig.board->torque(), 300);
+        QCOMPARE(rig.torque(), 300);
     }
+}
+
+void BoardTiltHoldTest::aHoldKeepsBackAMotionThatWouldBeRepeated()
+{
+    LossyRig rig{BoardRig::level(), FakeClock::Kind::Stands};
+    PassingTime time{rig.clock};
+    QVERIFY(rig.tilt.connect({}) && rig.tilt.arm({}));
+    std::atomic<bool> isInterrupted{false};
+    std::atomic<bool> isOver{false};
+    std::jthread mover;
+    std::jthread holder;
+    {
+        const PassingTime::Pause pause{time};
+        rig.losses->fromBoard = true;
+        mover = std::jthread{[&] {
+            const auto moved = rig.tilt.moveTo(degrees(100.0), degrees(100.0));
+            isInterrupted = !moved && moved.error().code == ErrorCode::Interrupted;
+        }};
+        QTRY_COMPARE_WITH_TIMEOUT(rig.losses->motions.load(), 1, kPatience);
+        holder = std::jthread{[&] { isOver = !rig.tilt.hold(); }};
+        QTRY_COMPARE_WITH_TIMEOUT(rig.losses->estops.load(), 1, kPatience);
+    }
+
+    QTRY_VERIFY_WITH_TIMEOUT(isOver && isInterrupted, kPatience);
+
+    QCOMPARE(rig.losses->motions.load(), 1);
 }
 
 void BoardTiltHoldTest::aHoldWhoseRequestIsLostEndsTheHeartbeats()
@@ -244,6 +299,7 @@ void BoardTiltHoldTest::armingAfterAHoldOfUnknownFateLeavesTheTorque()
 void BoardTiltHoldTest::anyThreadMayAskForHealthAndMotor()
 {
     BoardRig rig{levelBoard(), BoardRig::level(), FakeClock::Kind::Stands};
+    PassingTime time{rig.clock};
     std::atomic<int> asked{0};
     std::jthread panel{[&](const std::stop_token& stop) {
         while (!stop.stop_requested()) {
@@ -252,14 +308,10 @@ void BoardTiltHoldTest::anyThreadMayAskForHealthAndMotor()
         }
     }};
 
-    bool fine = false;
-    doWhileTimePasses(rig.clock, [&] {
-        fine = rig.tilt.connect({}) && rig.tilt.arm({}) && rig.tilt.moveTo(degrees(100.0), degrees(100.0)) &&
-               rig.watch(50ms).has_value();
-    });
+    QVERIFY(rig.tilt.connect({}) && rig.tilt.arm({}) && rig.tilt.moveTo(degrees(100.0), degrees(100.0)));
+    QVERIFY(rig.watch(50ms));
 
-    QVERIFY(fine);
-    QTRY_VERIFY(asked > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(asked > 0, kPatience);
 }
 
 }  // namespace planewright
