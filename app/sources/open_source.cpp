@@ -37,8 +37,9 @@ Result<OpenedSource> openLaserOnTiltUnit(const DeviceAddress& laser, const Noddi
     if (!unit)
         return tl::unexpected{unit.error()};
     if (unit->unit == DeviceAddress::Unit::Laser)
-        return fail(ErrorCode::Usage, "'" + setup.tiltUnit +
-                                          "': this is the address of a laser; a tilt unit's begins with dynamixel: or board:");
+        return fail(
+            ErrorCode::Usage,
+            "'" + setup.tiltUnit + "': this is the address of a laser; a tilt unit's begins with dynamixel: or board:");
     const auto opener = std::make_shared<DeviceOpener>(clock, DeviceOptions{setup.dialogueFolder, setup.progress});
     NoddingDevices devices{
         [opener, laser](const std::stop_token& asked) { return opener->openLaser(laser, asked); },

@@ -73,7 +73,10 @@ DeviceForm::DeviceForm(QWidget* parent)
     form->addRow(trouble_);
     mode_->setObjectName(QStringLiteral("scanMode"));
     mode_->setAccessibleName(tr("Motion"));
-    mode_->addItems({tr("Sweep: a slice each turn"), tr("Step and stare")});
+    mode_->addItems({tr("Sweep"), tr("Step and stare")});
+    mode_->setToolTip(
+        tr("A sweep takes a slice with each turn of the mirror while the head moves on; or the head stands "
+           "still for each slice"));
     form->addRow(tr("&Motion"), mode_);
     firstTilt_ = addAngle(form, tr("Tilt from"), QStringLiteral("deviceFirstTilt"), -90.0, 270.0);
     lastTilt_ = addAngle(form, tr("Tilt to"), QStringLiteral("deviceLastTilt"), -90.0, 270.0);

@@ -167,7 +167,7 @@ void CliRecordTest::wrongUsageIsRefusedBeforeAnythingIsWritten_data()
     row("unknown scene", "--scanner sim:cathedral -o a.pwscan", "Known: corridor");
     row("unknown key", "--scanner sim:hall?sped=1 -o a.pwscan", "known: seed, speed");
     row("a file is no scanner", "--scanner scan.csv -o a.pwscan", "replay:scan.csv");
-    row("a laser", "--scanner usb: -o a.pwscan", "no scanners yet");
+    row("a laser", "--scanner usb: -o a.pwscan", "--tilt-unit");
     row("not .pwscan", "--scanner sim:hall -o a.csv", ".pwscan");
     row("tilts of a replay", "--scanner replay:a.csv -o a.pwscan --slices 3", "leave them out");
     row("beyond a turn", "--scanner sim:hall -o a.pwscan --slices 60000", "give fewer");
