@@ -91,8 +91,8 @@ std::vector<UsbDevice> UsbBus::devices() const
     std::vector<UsbDevice> entries;
     for (Known& each : known) {
         each.entry.access = each.isLent ? UsbAccess::Busy : UsbAccess::Openable;
-        probeUsbDevice(each.device, each.layout, each.entry);
-        entries.push_back(std::move(each.entry));
+        if (probeUsbDevice(each.device, each.layout, each.entry))
+            entries.push_back(std::move(each.entry));
         libusb_unref_device(each.device);
     }
     return entries;

@@ -70,7 +70,7 @@ std::optional<IdentifiedUsbDevice> identifyUsbDevice(libusb_device* device)
                                .layout = *layout};
 }
 
-void probeUsbDevice(libusb_device* device, const UsbLayout& layout, UsbDevice& entry)
+bool probeUsbDevice(libusb_device* device, const UsbLayout& layout, UsbDevice& entry)
 {
     entry.manufacturer = usbAttribute(entry.port, "manufacturer");
     entry.productName = usbAttribute(entry.port, "product");
@@ -79,7 +79,7 @@ void probeUsbDevice(libusb_device* device, const UsbLayout& layout, UsbDevice& e
     if (entry.driver == "usbfs")
         entry.access = UsbAccess::Busy;
     if (entry.access == UsbAccess::Busy)
-        return;
+        return true;
 
     libusb_device_descriptor descriptor{};
     libusb_device_handle* handle = nullptr;
@@ -87,10 +87,11 @@ void probeUsbDevice(libusb_device* device, const UsbLayout& layout, UsbDevice& e
     if (status == LIBUSB_ERROR_ACCESS)
         entry.access = UsbAccess::Denied;
     if (status != LIBUSB_SUCCESS)
-        return;
+        return status != LIBUSB_ERROR_NO_DEVICE;
     if (libusb_get_device_descriptor(device, &descriptor) == LIBUSB_SUCCESS)
         askForStrings(handle, descriptor, entry);
     libusb_close(handle);
+    return true;
 }
 
 }  // namespace planewright

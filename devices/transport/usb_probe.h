@@ -22,7 +22,7 @@ struct IdentifiedUsbDevice {
 std::optional<IdentifiedUsbDevice> identifyUsbDevice(libusb_device* device);
 
 /// Fills in what only looking tells: what it says of itself, whether it may be opened, and who has it. One that is
-/// known to be busy is not opened.
-void probeUsbDevice(libusb_device* device, const UsbLayout& layout, UsbDevice& entry);
+/// known to be busy is not opened. False where it is gone, though nobody has told of that yet.
+bool probeUsbDevice(libusb_device* device, const UsbLayout& layout, UsbDevice& entry);
 
 }  // namespace planewright

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <pty.h>
 #include <stdexcept>
 #include <sys/stat.h>
@@ -267,7 +268,7 @@ void EmulatedUsb::plugAgain(const std::shared_ptr<EmulatedUsbDevice>& device, in
     const std::string sysfs = "/devices/usb1/1-" + std::to_string(port);
     socket.sysfs = "/sys" + sysfs;
     std::string description = describe(sysfs, socket.address, model);
-    for (std::size_t i = 0; i < model.drivers.size(); ++i)
+    for (std::size_t i = 0; model.driversInSysfs && i < model.drivers.size(); ++i)
         description += describeInterface(sysfs, i, model.drivers[i]);
     testbed_->add(description);
 }
@@ -275,18 +276,26 @@ void EmulatedUsb::plugAgain(const std::shared_ptr<EmulatedUsbDevice>& device, in
 void EmulatedUsb::unplug(const std::shared_ptr<EmulatedUsbDevice>& device, Unplugging order)
 {
     Socket& socket = testbed_->find(device);
+    const auto node = testbed_->inside(socket.devnode);
+    if (order == Unplugging::TransfersOnly) {
+        std::filesystem::remove(node);
+    } else {
+        // Whoever is about to open it finds a file, and a device that is gone behind it: the preload library keeps
+        // something for ever of every node that cannot be opened, and has room for 50.
+        const std::filesystem::path gone = node.string() + ".gone";
+        std::ofstream{gone}.close();
+        std::filesystem::rename(gone, node);
+    }
     const auto tell = [&] { umockdev_testbed_uevent(testbed_->testbed, socket.sysfs.c_str(), "remove"); };
     if (order == Unplugging::EventFirst)
         tell();
-    device->pullOut();
-    socket.node->hangUp();
+    device->pullOut([&] { socket.node->hangUp(); });
     if (order == Unplugging::TransfersFirst)
         tell();
     socket.isPlugged = false;
-    for (std::size_t i = 0; i < device->model().drivers.size(); ++i)
+    for (std::size_t i = 0; device->model().driversInSysfs && i < device->model().drivers.size(); ++i)
         umockdev_testbed_remove_device(testbed_->testbed, interfaceOf(socket.sysfs, i).c_str());
     umockdev_testbed_remove_device(testbed_->testbed, socket.sysfs.c_str());
-    std::filesystem::remove(testbed_->inside(socket.devnode));
 }
 
 void EmulatedUsb::announceAgain(const std::shared_ptr<EmulatedUsbDevice>& device)

@@ -177,10 +177,11 @@ void EmulatedUsbDevice::plugIn(std::function<void(bool)> gate)
     isHaltedIn_ = isHaltedOut_ = false;
 }
 
-void EmulatedUsbDevice::pullOut()
+void EmulatedUsbDevice::pullOut(const std::function<void()>& hangUp)
 {
     const std::scoped_lock lock(mutex_);
     isThere_ = false;
+    hangUp();
     for (auto* queue : {&waitingIn_, &waitingOut_, &waitingControl_}) {
         for (const Transfer& transfer : std::exchange(*queue, {}))
             finish(transfer, -ESHUTDOWN);

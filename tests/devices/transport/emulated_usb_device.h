@@ -81,8 +81,8 @@ public:
 
     /// What a program waits on: called with true when there is something to fetch, with false when there is not.
     void plugIn(std::function<void(bool)> gate);
-    /// All transfers come back as those of a device that is gone.
-    void pullOut();
+    /// Whoever waits is told of an error by `hangUp`, and all transfers come back as those of a device that is gone.
+    void pullOut(const std::function<void()>& hangUp);
 
     /// A request of a program on the node that it has opened: what the call gives, and errno.
     struct Answer {

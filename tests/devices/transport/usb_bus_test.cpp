@@ -37,6 +37,7 @@ private slots:
     void oneThatComesIsListedAndToldAndOneThatGoesToo();
     void oneThatComesBackHasAnotherAddress();
     void oneThatIsAnnouncedTwiceIsOne();
+    void oneWhoseGoingNobodyToldIsFoundOutByOpening();
     void aStormOfThirtyCyclesIsToldSeldomAndEndsRight();
 
     // Lending.
@@ -323,11 +324,25 @@ void UsbBusTest::oneThatIsAnnouncedTwiceIsOne()
     QVERIFY(comesTrue([&] { return rig.changes == 2; }));
 }
 
+void UsbBusTest::oneWhoseGoingNobodyToldIsFoundOutByOpening()
+{
+    UsbRig rig;
+    const auto laser = rig.usb.plug(cdcModel(), 1);
+    QVERIFY(comesTrue([&] { return rig.changes == 1; }));
+
+    rig.usb.unplug(laser, EmulatedUsb::Unplugging::TransfersOnly);
+
+    QVERIFY(rig.bus->devices().empty());
+    QVERIFY(comesTrue([&] { return rig.changes == 2; }));
+}
+
 void UsbBusTest::aStormOfThirtyCyclesIsToldSeldomAndEndsRight()
 {
     UsbRig rig;
+    UsbModel model = cdcModel();
+    model.driversInSysfs = false;
     const auto began = steadyClock().now();
-    const auto laser = rig.usb.plug(cdcModel(), 1);
+    const auto laser = rig.usb.plug(model, 1);
     for (int cycle = 0; cycle < 30; ++cycle) {
         rig.usb.unplug(laser);
         rig.usb.plugAgain(laser, 1);
