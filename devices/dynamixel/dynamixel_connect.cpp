@@ -8,6 +8,8 @@ namespace planewright {
 
 namespace {
 
+constexpr std::chrono::milliseconds kOldAnswers{50};
+
 /// The bytes that tell model and firmware; not two, which would look like their own question.
 constexpr ServoRegion identityRegion(DynamixelProtocol protocol)
 {
@@ -56,6 +58,9 @@ Result<void> DynamixelTilt::findAndLook(const std::stop_token& stop)
 /// Pings in 1.0, then in 2.0.
 Result<void> DynamixelTilt::findProtocol(const std::stop_token& stop)
 {
+    // Whoever used the line before, and was killed in the middle of a question, has left an answer on its way.
+    if (const auto quiet = link_.pause(kOldAnswers, stop); !quiet)
+        return quiet;
     std::optional<ServoReply> best;
     for (const DynamixelProtocol protocol : {DynamixelProtocol::One, DynamixelProtocol::Two}) {
         if (stop.stop_requested())
