@@ -71,6 +71,7 @@ Result<void> DevicePair::hear(const std::stop_token& stop)
         track_.add(**sample);
     while (isScanning_) {
         Result<std::optional<LaserScan>> scan = laser_->next(clock_.now(), stop);
+        laserFailed_ = !scan;
         if (!scan)
             return tl::unexpected{scan.error()};
         if (!*scan)
@@ -101,9 +102,11 @@ void DevicePair::close()
     forget();
     std::shared_ptr<Laser> laser;  // closed when the mutex is free again: that may take a while
     std::shared_ptr<TiltUnit> unit;
+    const bool keepsUnit = std::exchange(laserFailed_, false);
     const std::scoped_lock lock{mutex_};
     laser.swap(laser_);
-    unit.swap(unit_);
+    if (!keepsUnit)
+        unit.swap(unit_);
 }
 
 Result<void> DevicePair::hold()

@@ -53,7 +53,7 @@ public:
     /// Forgets what was heard.
     void forget();
 
-    /// Closes both: open() begins anew. Which of them has failed shows then; a healthy one connects in no time.
+    /// Closes what has failed, as far as that is known, or else both: open() begins anew with it.
     void close();
 
     /// Stops motion within one round trip. Nothing to do where no unit is open.
@@ -73,6 +73,7 @@ private:
     std::shared_ptr<TiltUnit> unit_;
     std::string serial_;  ///< of the first laser
     bool isScanning_ = false;
+    bool laserFailed_ = false;  ///< rather than the unit
     TiltTrack track_;
     std::deque<LaserScan> scans_;
 };

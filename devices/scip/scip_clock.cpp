@@ -29,6 +29,7 @@ void ScipClock::restart()
     arrivals_ = 0;
     behind_ = 0;
     asked_.reset();
+    isDoubtful_ = false;
 }
 
 void ScipClock::addAnswer(std::uint32_t stamp, Time asked, Time answered)
@@ -40,6 +41,7 @@ void ScipClock::addAnswer(std::uint32_t stamp, Time asked, Time answered)
         return;
     quickest_ = answered - asked;
     asked_ = asked + quickest_ / 2 - middleOf(laser.milliseconds);
+    isDoubtful_ = quickest_ > kSlowestAnswer;
 }
 
 ScipClock::Scan ScipClock::addScan(std::uint32_t stamp, Time arrived, Time end, Time period)
@@ -58,7 +60,7 @@ ScipClock::Scan ScipClock::addScan(std::uint32_t stamp, Time arrived, Time end, 
     Scan scan;
     scan.start = start + offset();
     scan.isNewEpoch = laser.isNewEpoch;
-    scan.isKnown = asked_ || arrivals_ >= kKnown;
+    scan.isKnown = !isDoubtful_ && (asked_ || arrivals_ >= kKnown);
     const Time excess = delay - offset() - way_.value_or(Time{0});
     scan.isLate = excess > period;
     scan.isBehind = excess > period * 4 / 5;
@@ -75,6 +77,8 @@ void ScipClock::addArrival(Time arrived, Time delay)
     const bool isTooSoon =
         asked_ ? delay < *asked_ - kTooSoon : !least_.empty() && delay < least_.front().delay - kTooSoon;
     if (isTooSoon || behind_ >= kKnown) {
+        // Scans that all come late from some moment on: either the laser's clock was set, or the link holds them back.
+        isDoubtful_ = !isTooSoon;
         least_.clear();
         arrivals_ = 0;
         behind_ = 0;

@@ -24,6 +24,8 @@ class ScipClock {
 public:
     using Time = std::chrono::nanoseconds;
 
+    /// Slowest answer that tells how the clocks stand: half of it is what nobody knows.
+    static constexpr std::chrono::milliseconds kSlowestAnswer{20};
     /// Arrivals that count: those of the last ten seconds.
     static constexpr std::chrono::seconds kWindow{10};
     /// Arrivals after which the least delay is taken for that of the way.
@@ -71,6 +73,7 @@ private:
     int behind_ = 0;             ///< scans that came late, one behind the other
     std::optional<Time> asked_;  ///< host minus laser, by the quickest answer in time mode
     Time quickest_{0};           ///< how long that took
+    bool isDoubtful_ = false;    ///< what is known of the clocks may be off by what the link is late
     std::optional<Time> way_;    ///< the least time of the way of a scan
 };
 

@@ -52,7 +52,7 @@ ScanPlan plan(Mode mode)
     return plan;
 }
 
-/// What a scan came to: somebody sits there and says "try again" every half second.
+/// What a scan came to: somebody sits there and says "try again" 0.4 s after every failure.
 struct Outcome {
     std::vector<ScanSlice> slices;
     std::vector<std::string> errors;
@@ -83,7 +83,7 @@ Outcome scan(EmulatedScanner& emulated, NoddingSource& source, Time watchFrom)
             outcome.longest = std::max(outcome.longest, now - before);
         if (!slice) {
             outcome.errors.push_back(slice.error().message);
-            emulated.clock().advance(500ms);
+            emulated.clock().advance(400ms);
         } else if (*slice) {
             outcome.slices.push_back(**slice);
             if (!outcome.resumed && now >= watchFrom)
