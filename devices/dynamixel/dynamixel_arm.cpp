@@ -176,7 +176,7 @@ Result<void> DynamixelTilt::recover(const std::stop_token& stop)
         return disarm(ErrorCode::DeviceLost, withNumbers("has a wrong supply") + "; see to it, then recover it again");
     wasRecovered_ = true;
     lastAlarm_.reset();
-    const Result<void> done = model_->protocol == DynamixelProtocol::One ? recoverOne() : recoverTwo(stop);
+    Result<void> done = model_->protocol == DynamixelProtocol::One ? recoverOne() : recoverTwo(stop);
     if (!done)
         return done;
     // Any question tells whether the alarm is still there.

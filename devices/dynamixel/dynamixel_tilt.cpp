@@ -166,7 +166,10 @@ Result<bool> DynamixelTilt::followMotion(const ServoState& state, Time at)
     if (verdict != MotionWatch::Verdict::Stuck)
         return verdict == MotionWatch::Verdict::OnItsWay;
     if (!std::exchange(wasRetried_, true)) {
-        if (auto written = writeMotion(watchedGoal_, watchedSpeed_); !written)
+        const Result<void> written = writeMotion(watchedGoal_, watchedSpeed_);
+        if (!written && written.error().code == ErrorCode::Interrupted)
+            return state.moving;  // a hold came first
+        if (!written)
             return tl::unexpected(written.error());
         const double countsPerSecond = watchedSpeed_ * model_->speedUnit / model_->countAngle;
         watch_.emplace(state.position, watchedGoal_, countsPerSecond, settings_.tolerance, clock_.now());

@@ -59,9 +59,9 @@ std::optional<std::string> reasonNotToMove(const DynamixelModel& model, const Re
 {
     const ControlTable& table = *model.table;
     const ServoSettings settings = decodeSettings(model, image);
-    if (const auto reason = reasonOfModes(table, image))
+    if (auto reason = reasonOfModes(table, image))
         return reason;
-    if (const auto reason = reasonOfLimits(model, settings))
+    if (auto reason = reasonOfLimits(model, settings))
         return reason;
     if (settings.mostSpeed < 1)
         return "has the speed limit 0; set " + at(table.speedLimit);
