@@ -207,7 +207,7 @@ void StripBuilder::join(WaitingRow& before, WaitingRow& after)
         overlap.range = {std::max(overlap.before.low, overlap.after.low),
                          std::min(overlap.before.high, overlap.after.high)};
         if (overlap.range[1] - overlap.range[0] > kShortestOverlap) {
-            for (const std::size_t end : {0, 1})
+            for (const std::size_t end : {std::size_t{0}, std::size_t{1}})
                 overlap.gap[end] =
                     aside.dot(pointOf(overlap.after, overlap.range[end]) - pointOf(overlap.before, overlap.range[end]));
             // An end that also meets the next stretch of the other row is no counterpart of this stretch's end.

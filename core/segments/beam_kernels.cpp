@@ -56,7 +56,7 @@ PLANEWRIGHT_BODY void markGapsBody(const BeamArraysOf<Number>& points, const Num
         const Number dv = v[i] - v[i - 1];
         const Number limit = range[i - 1] * (gapPerRange + sigmas * std::sqrt(relative[i - 1]));
         const bool missing = std::min(range[i], range[i - 1]) <= Number{0};
-        marks[i] = missing | (du * du + dv * dv >= limit * limit) ? 1 : 0;
+        marks[i] = (missing | (du * du + dv * dv >= limit * limit)) ? 1 : 0;
     }
 }
 

@@ -60,7 +60,7 @@ void CliDevicesTest::aScanIsRecordedOverLinks()
     QVERIFY2(rig.isServing(), rig.error().constData());
 
     const ProgramRun run = runProgram(QStringList{"record", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit(),
-                                                  "--tilt", "70:110:1.16", "-o", "room.pwscan"} +
+                                                  "--tilt", "70:110:1.16", "--retries", "5", "-o", "room.pwscan"} +
                                           options,
                                       folder.path());
 
@@ -91,7 +91,7 @@ void CliDevicesTest::aKilledProgramLeavesAScanAndDevicesThatConnectAgain()
     ::kill(static_cast<pid_t>(first.processId()), SIGKILL);
     QVERIFY(first.waitForFinished());
     const ProgramRun second =
-        runProgram(arguments + QStringList{"room.pwscan", "--tilt", "80:100:1.16"}, folder.path());
+        runProgram(arguments + QStringList{"room.pwscan", "--tilt", "80:100:1.16", "--retries", "5"}, folder.path());
 
     QVERIFY2(second.code == 0, second.err.constData());
     QCOMPARE(runProgram({"validate", "first.pwscan"}, folder.path()).code, 0);

@@ -147,11 +147,21 @@ void UsbScanTest::aScanComesThroughUsb()
 
     auto source = NoddingSource::open(openers, plan, steadyClock(), {});
     QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
-    const auto begun = (*source)->begin({});
+    // A machine that is busy for tens of milliseconds makes answers late: somebody tries again.
+    auto begun = (*source)->begin({});
+    for (int attempt = 1; attempt < 5 && !begun; ++attempt)
+        begun = (*source)->begin({});
     QVERIFY2(begun.has_value(), begun ? "" : begun.error().message.c_str());
     int slices = 0;
     int like = 0;
-    for (auto slice = (*source)->next({}); slice && *slice; slice = (*source)->next({})) {
+    int faults = 0;
+    for (;;) {
+        const auto slice = (*source)->next({});
+        if (!slice && ++faults < 5)
+            continue;
+        QVERIFY2(slice.has_value(), slice ? "" : slice.error().message.c_str());
+        if (!*slice)
+            break;
         ++slices;
         AcquisitionSettings settings;
         settings.slices = 1;
