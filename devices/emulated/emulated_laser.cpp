@@ -19,6 +19,8 @@ namespace {
 constexpr double kBytesPerSecond = 1.5e6;
 constexpr std::chrono::seconds kBoot{3};
 constexpr std::chrono::milliseconds kDelay{200};
+/// What a link keeps for a reader.
+constexpr std::chrono::seconds kKept{10};
 /// A request longer than this is cut: none has a use for more.
 constexpr std::size_t kLongestRequest = 128;
 /// From which on the clock runs to its end with laser-wrap, before the turns of the step.
@@ -27,7 +29,7 @@ constexpr std::string_view kHardwareFault = "70";
 constexpr std::string_view kVerifies = "21";
 constexpr std::string_view kGoesOn = "98";
 /// Scans that are left out while it checks itself.
-constexpr int kVerifiedScans = 10;
+constexpr int kVerifiedScans = 40;
 
 EmulatedLaser::Time onTheWay(std::size_t bytes)
 {
@@ -112,6 +114,9 @@ void EmulatedLaser::advance(Time now)
         powerOn(now);
     if (unpluggedAt_ && *unpluggedAt_ <= now)
         return;
+    // Whoever has not read for so long has missed what was sent: no link keeps it.
+    if (stream_ && startOf(stream_->next) < now - kKept)
+        stream_->next = turnFrom(now - kKept);
     while (stream_ && momentOf(stream_->next, stream_->measurement.last) <= now)
         report(stream_->next);
 }

@@ -22,18 +22,6 @@ constexpr milliseconds kFirstReply{2'000};  ///< a slow host has just found the 
 constexpr milliseconds kReply{500};
 constexpr int kAttempts = 3;
 
-tl::unexpected<Error> interrupted(const ScipLink& link)
-{
-    return fail(ErrorCode::Interrupted, link.name() + ": stopped while the laser was being connected");
-}
-
-void tellCountdown(const ScipLink& link, Time deadline, const ScipProgress& progress)
-{
-    const auto left = std::chrono::ceil<std::chrono::seconds>(deadline - link.now()).count();
-    if (progress && left > 0)
-        progress(link.name() + ": waiting for the laser to start, up to " + std::to_string(left) + " s more");
-}
-
 /// One conversation that ends with a laser known and at rest.
 class Connection {
 public:
@@ -61,7 +49,7 @@ private:
     ScipPartner partner_;
     bool hasAskedForScip2_ = false;
     bool hasReset_ = false;
-    int timeModesLeft_ = 0;
+    int timesInTimeMode_ = 0;
 };
 
 /// An empty request ends half a one that somebody before has left behind.
@@ -69,7 +57,7 @@ Result<void> Connection::clearLine()
 {
     if (const auto settled = link_.discard(kSettle, kSettle, stop_); !settled)
         return tl::unexpected{settled.error()};
-    if (const Result<void> sent = link_.send(""); !sent)
+    if (Result<void> sent = link_.send(""); !sent)
         return sent;
     if (const auto drained = link_.discard(kSilence, kLongestDrain, stop_); !drained)
         return tl::unexpected{drained.error()};
@@ -85,9 +73,9 @@ Result<void> Connection::comeToRest()
         if (!quit)
             return tl::unexpected{quit.error()};
         if (stop_.stop_requested())
-            return interrupted(link_);
+            return scipInterrupted(link_);
         if (!*quit) {
-            tellCountdown(link_, deadline, progress_);
+            tellScipCountdown(link_, deadline, progress_);
             continue;
         }
         const Result<Rest> rest = follow(**quit);
@@ -109,7 +97,7 @@ Result<Connection::Rest> Connection::follow(const ScipReply& quit)
         return changed ? Result<Rest>{Rest::AskAgain} : tl::unexpected{changed.error()};
     }
     const ScipVerdict verdict = scipMeaning(kScipQuit, quit.status, partner_.version).verdict;
-    if (quit.status == "0E" && timeModesLeft_++ < kAttempts) {  // in time mode QT is no request
+    if (quit.status == "0E" && timesInTimeMode_++ < kAttempts) {  // in time mode QT is no request
         const auto left = link_.ask(kScipTimeModeOff, kReply, stop_);
         return left ? Result<Rest>{Rest::AskAgain} : tl::unexpected{left.error()};
     }
@@ -143,7 +131,7 @@ Result<ScipReply> Connection::askIntact(std::string_view request)
         if (!reply)
             return tl::unexpected{reply.error()};
         if (stop_.stop_requested())
-            return interrupted(link_);
+            return scipInterrupted(link_);
         if (!*reply || (*reply)->status != "00")
             continue;
         const auto isIntact = [](const ScipLine& line) { return line.isIntact; };
@@ -245,41 +233,6 @@ Result<ScipPartner> connectScip(ScipLink& link, const ScipProgress& progress, co
     if (const Result<void> rest = connection.comeToRest(); !rest)
         return tl::unexpected{rest.error()};
     return connection.getToKnow();
-}
-
-Result<ScipReply> askScipPatiently(ScipLink& link, std::string_view request, ScipVersion version,
-                                   const ScipProgress& progress, const std::stop_token& stop)
-{
-    const std::string_view command = readScipEcho(request)->command;
-    const Time deadline = link.now() + kScipBootTime;
-    for (;;) {
-        auto reply = link.ask(request, kReply, stop);
-        if (!reply)
-            return tl::unexpected{reply.error()};
-        if (stop.stop_requested())
-            return interrupted(link);
-        if (*reply && scipMeaning(command, (*reply)->status, version).verdict != ScipVerdict::NotNow)
-            return std::move(**reply);
-        if (link.now() >= deadline)
-            break;
-        tellCountdown(link, deadline, progress);
-        if (!*reply)
-            continue;
-        if (const auto waited = link.discard(kReply, kReply, stop); !waited)
-            return tl::unexpected{waited.error()};
-    }
-    return fail(ErrorCode::NoDevice, link.name() + ": the laser has not become ready within " +
-                                         std::to_string(kScipBootTime.count()) +
-                                         " s; switch its power off and on, then connect again");
-}
-
-Result<void> resetScip(ScipLink& link, const std::stop_token& stop)
-{
-    const auto reset = link.ask(kScipReset, kFirstReply, stop);
-    if (!reset)
-        return tl::unexpected{reset.error()};
-    const auto drained = link.discard(kSilence, kLongestDrain, stop);
-    return drained ? Result<void>{} : tl::unexpected{drained.error()};
 }
 
 }  // namespace planewright

@@ -3,21 +3,16 @@
 
 #pragma once
 
-#include <chrono>
-#include <functional>
-#include <optional>
 #include <stop_token>
 #include <string>
 
 #include "devices/laser.h"
 #include "devices/scip/scip_capabilities.h"
 #include "devices/scip/scip_link.h"
+#include "devices/scip/scip_patience.h"
 #include "devices/scip/scip_status.h"
 
 namespace planewright {
-
-/// Told what a laser is waited for, a line at a time, while that takes long.
-using ScipProgress = std::function<void(const std::string&)>;
 
 /// Who is at the end of a link.
 struct ScipPartner {
@@ -28,9 +23,6 @@ struct ScipPartner {
     std::string warning;  ///< empty, or what it says of its own condition in words that are not known
 };
 
-/// For how long a laser that does not answer, or says "not now", is asked again: its motor may still be running up.
-inline constexpr std::chrono::seconds kScipBootTime{20};
-
 /// Brings a laser to rest from whatever it does, and asks who it is.
 ///
 /// It may be streaming, be in time mode, speak SCIP 1.1, be starting up, or be faulty; half a request or half a scan
@@ -39,13 +31,5 @@ inline constexpr std::chrono::seconds kScipBootTime{20};
 /// Errors (NoDevice): nothing answers, something that is no laser does, or the laser is faulty or too old, each with
 /// what to do; DeviceLost: those of the transport; Interrupted: a stop.
 Result<ScipPartner> connectScip(ScipLink& link, const ScipProgress& progress, const std::stop_token& stop);
-
-/// Asks as long as the answer is "not now" or none comes, up to kScipBootTime, with a countdown. Gives the first other
-/// answer. Errors as for connectScip().
-Result<ScipReply> askScipPatiently(ScipLink& link, std::string_view request, ScipVersion version,
-                                   const ScipProgress& progress, const std::stop_token& stop);
-
-/// Resets a laser that says that it is faulty. Its clock is zero afterwards, and its laser off. Errors as above.
-Result<void> resetScip(ScipLink& link, const std::stop_token& stop);
 
 }  // namespace planewright

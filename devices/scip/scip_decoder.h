@@ -23,8 +23,8 @@ namespace planewright {
 /// It keeps no more than kLongestFrame bytes, whatever comes.
 class ScipDecoder {
 public:
-    static constexpr std::size_t kLongestLine = 128;          ///< without its line feed
-    static constexpr std::size_t kLongestFrame = 64U * 1024;  ///< with all line feeds
+    static constexpr std::size_t kLongestLine = 128;      ///< without its line feed
+    static constexpr std::size_t kLongestFrame = 65'536;  ///< with all line feeds
 
     /// Takes bytes; gives what they complete, in order.
     std::vector<ScipEvent> push(std::span<const std::uint8_t> bytes);

@@ -54,15 +54,19 @@ public:
 private:
     using Time = std::chrono::nanoseconds;
 
+    // Beginning and end: scip_laser.cpp.
     Result<void> switchOn(const std::stop_token& stop);
     Result<void> beginStream(const std::stop_token& stop);
-    std::optional<LaserScan> take(ScipFrame& frame, Time arrived);
+    Result<void> resetOnce(const std::string& status, const std::stop_token& stop);
+
+    // What comes in between: scip_laser_scans.cpp.
+    std::optional<LaserScan> take(const ScipFrame& frame, Time arrived);
     Result<void> take(const ScipReply& reply, const std::stop_token& stop);
+    std::size_t takeRanges(const ScipFrame& frame, LaserScan& scan) const;
+    void countLost(const ScipClock::Scan& timed);
     void countDamage();
     Result<void> recover(const std::string& reason, const std::stop_token& stop);
     Result<bool> tryAgain(const std::stop_token& stop);
-    Result<void> resetOnce(const std::string& status, const std::stop_token& stop);
-    void watchReturns(std::size_t valid, std::size_t all);
     Time silenceUntil() const { return lastScan_ + 16 * partner_.limits.period; }
 
     ScipLink link_;

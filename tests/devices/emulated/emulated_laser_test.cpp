@@ -48,6 +48,7 @@ private slots:
     void simulatedFaultsComeAndGo();
     void aClockThatDriftsRunsFast();
     void nextOutputIsNeverLate();
+    void whoeverReadsTooLateHasMissedTheOldest();
     void unknownModelsAreRefused();
 };
 
@@ -435,13 +436,13 @@ void EmulatedLaserTest::simulatedFaultsComeAndGo()
 
     rig.ask("MD0000108000000");
     std::string verifying = rig.ask("DB04");
-    verifying += rig.hear(rig.now + 1s);
+    verifying += rig.hear(rig.now + 2s);
     const auto statuses = only<ScipReply>(decode(verifying));
     QCOMPARE(statuses.size(), std::size_t(3));
     QCOMPARE(statuses[0].echo, std::string{"DB04"});
     QCOMPARE(statuses[1].status, std::string{"21"});
     QCOMPARE(statuses[2].status, std::string{"98"});
-    QVERIFY(scansIn(verifying).size() > 25);
+    QVERIFY(scansIn(verifying).size() > 35);  // after a second of silence
 
     std::string breaking = rig.ask("DB03");
     breaking += rig.hear(rig.now + 1s);
@@ -480,6 +481,16 @@ void EmulatedLaserTest::nextOutputIsNeverLate()
     }
 
     QCOMPARE(bytes, std::size_t(21 + 3372 * 40));  // 39 scans, one of them twice
+}
+
+void EmulatedLaserTest::whoeverReadsTooLateHasMissedTheOldest()
+{
+    LaserRig rig{laserOptions()};
+    rig.ask("MD0540054100000");
+
+    const auto scans = scansIn(rig.hear(std::chrono::hours{10}));
+
+    QCOMPARE(scans.size(), std::size_t(400));  // of ten seconds
 }
 
 void EmulatedLaserTest::unknownModelsAreRefused()

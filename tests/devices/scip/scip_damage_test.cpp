@@ -33,6 +33,12 @@ private slots:
 
 namespace {
 
+/// Rounds of a test at random: a tenth of them but at full volume.
+int rounds(int full)
+{
+    return qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG") ? full : full / 10;
+}
+
 const std::string kSmallEcho = "MD0000004900000";
 const std::string kWholeEcho = "MD0000108000000";
 
@@ -114,7 +120,7 @@ void ScipDamageTest::aWrongCharacterInEveryLineIsMet()
 {
     std::mt19937 random(3);
     const Sent sent = send(kWholeEcho, 1081, 1, 3);
-    for (int round = 0; round < 2000; ++round) {
+    for (int round = 0; round < rounds(5'000); ++round) {
         std::string bytes = sent.bytes;
         int changed = 0;
         for (std::size_t begin = kWholeEcho.size() + 5, end = 0; begin < bytes.size() - 1; begin = end + 1) {
@@ -147,7 +153,7 @@ void ScipDamageTest::lostPiecesAreMet()
     std::mt19937 random(5);
     const Sent sent = send(kSmallEcho, 50, 6, 5);
     const std::size_t scan = sent.bytes.size() / 6;
-    for (int round = 0; round < 200'000; ++round) {
+    for (int round = 0; round < rounds(200'000); ++round) {
         const std::size_t length = 1 + random() % (3 * scan);
         if (length % scan == 0)  // head and tail of two scans: what cannot be met
             continue;
@@ -162,7 +168,7 @@ void ScipDamageTest::addedPiecesAreMet()
 {
     std::mt19937 random(6);
     const Sent sent = send(kSmallEcho, 50, 2, 6);
-    for (int round = 0; round < 200'000; ++round) {
+    for (int round = 0; round < rounds(200'000); ++round) {
         std::string bytes = sent.bytes;
         std::string added(1 + random() % 300, '\0');
         // Plain characters and line feeds look most like data.
@@ -198,7 +204,7 @@ void ScipDamageTest::randomBytesGiveNothing()
 {
     std::mt19937 random(7);
     ScipDecoder decoder;
-    for (int round = 0; round < 2000; ++round) {
+    for (int round = 0; round < rounds(5'000); ++round) {
         std::string bytes(1 + random() % 1000, '\0');
         for (char& c : bytes)
             c = static_cast<char>(random() % 256);
@@ -216,7 +222,7 @@ void ScipDamageTest::theStreamGoesOnAfterDamage()
     std::mt19937 random(8);
     const Sent sent = send(kSmallEcho, 50, 5, 8);
     const std::size_t scan = sent.bytes.size() / 5;
-    for (int round = 0; round < 5000; ++round) {
+    for (int round = 0; round < rounds(10'000); ++round) {
         std::string bytes = sent.bytes;
         for (int i = 0; i < 20; ++i)
             bytes[scan + random() % (scan - 2)] = static_cast<char>(random() % 256);
