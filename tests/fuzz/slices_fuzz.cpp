@@ -129,8 +129,13 @@ struct Rig {
     Rig()
     {
         servo = EmulatedServo::make({.mounting = mounting, .pitch = kFirstPitch}).value();
-        auto view = std::make_shared<EmulatedView>(makeScene("corridor", 1).value(), SimulationNoise{}, 1);
-        laser = EmulatedLaser::make(view, [this](auto at) { return servo->pitchAt(at); }, {}).value();
+        static const Scene room = makeScene("corridor", 1).value();
+        const auto view = std::make_shared<EmulatedView>(room, SimulationNoise{}, 1);
+        EmulatedLaserOptions options;
+        options.model = emulatedLaserModel("UTM-30LX").value();
+        laser = EmulatedLaser::make(
+                    view, [this](auto at) { return servo->pitchAt(at); }, options)
+                    .value();
     }
 
     template <class Device, class Driver, class... Options>
