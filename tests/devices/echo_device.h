@@ -15,12 +15,13 @@
 namespace planewright {
 
 /// The smallest device: says everything again, a fixed time later. Beyond that it obeys two letters of its own: after
-/// an 'S' it says a frame of 'f' each period from then on, and at an 'X' its link is pulled out.
+/// an 'S' it says frames of 'f', one each period from then on, and at an 'X' its link is pulled out.
 class EchoDevice : public EmulatedDevice {
 public:
     std::chrono::nanoseconds delay = std::chrono::milliseconds{2};
     std::chrono::nanoseconds period = std::chrono::milliseconds{5};
     std::size_t frame = 100;
+    int frames = 1'000'000;  ///< that it says at most
     bool isPluggedIn = true;
 
     void receive(std::span<const std::uint8_t> bytes, std::chrono::nanoseconds now) override
@@ -39,6 +40,8 @@ public:
             if (nextFrame_ && *nextFrame_ == *next) {
                 output.push_back({*nextFrame_, std::vector<std::uint8_t>(frame, 'f')});
                 *nextFrame_ += period;
+                if (--frames == 0)
+                    nextFrame_.reset();
             } else {
                 output.push_back(std::move(echoes_.front()));
                 echoes_.pop_front();
