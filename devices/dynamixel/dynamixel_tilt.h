@@ -59,7 +59,7 @@ public:
     /// needed. Errors (DeviceLost): too warm, supply out of range, or the alarm is still there, with the numbers.
     Result<void> recover(const std::stop_token& stop);
 
-    /// True from the beginning of a hold() to the end of an arm(). Any thread.
+    /// True from the beginning of a hold() to the end of an arm(), or to a connect(). Any thread.
     bool isHeld() const { return holds_ != holdsTakenBack_; }
 
     LinkHealth health() const override;
