@@ -292,12 +292,12 @@ void BoardTiltStrangersTest::randomMessagesDoNoHarm()
         QVERIFY(rig.tilt.connect({}));
         QVERIFY(rig.tilt.arm({}));
         std::mt19937 random{seed};
-        int number = 0;
+        unsigned number = 0;
         for (int round = 0; round < 200; ++round) {
             for (int i = 0; i < 10; ++i) {
                 const bool isEvent = random() % 2 == 0;
                 const auto type = static_cast<std::uint8_t>(isEvent ? 0x90 + random() % 6 : 0x41 + random() % 0x3F);
-                Frame frame{static_cast<std::uint16_t>(isEvent ? 0x8000 + number++ : random() % 0x400), type, {}};
+                Frame frame{static_cast<std::uint16_t>(isEvent ? 0x8000U + number++ : random() % 0x400), type, {}};
                 frame.payload.resize(random() % 10 == 0 ? random() % 65 : payloadLength(type).value_or(3));
                 for (std::uint8_t& byte : frame.payload)
                     byte = static_cast<std::uint8_t>(random() % 4 == 0 ? random() : 0);
