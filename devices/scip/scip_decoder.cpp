@@ -87,7 +87,7 @@ void ScipDecoder::endMessage(std::vector<ScipEvent>& events)
 void ScipDecoder::reject(ScipDamageKind kind, std::string_view bytes, std::vector<ScipEvent>& events)
 {
     ++damage_.counts[static_cast<std::size_t>(kind)];
-    events.push_back(ScipDamage{kind, std::string{bytes}});
+    events.emplace_back(ScipDamage{kind, std::string{bytes}});
 }
 
 }  // namespace planewright
