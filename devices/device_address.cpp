@@ -56,7 +56,7 @@ std::vector<std::string_view> knownKeys(const DeviceAddress& address)
 {
     std::vector<std::string_view> keys;
     if (address.unit == Unit::Dynamixel)
-        keys.emplace_back("id");
+        keys.insert(keys.end(), {"id", "echo"});
     // A servo is asked again where its answer is late, and how long an answer takes is a matter of its speed.
     if (address.link == Link::Serial || address.unit == Unit::Dynamixel)
         keys.emplace_back("baud");
@@ -96,6 +96,8 @@ std::string takeValue(std::string_view key, std::string_view value, DeviceAddres
         return given + "a number from 0.01 to 100";
     if (key == "sign" && value != "+" && value != "-")
         return given + "+ or -";
+    if (key == "echo" && value != "yes" && value != "no")
+        return given + "yes, the adapter sends back what is sent to it, or no";
     if (key == "speed" && value != "0" && value != "1")
         return given + "0, as fast as possible, or 1, real time";
     if (key == "zero") {
@@ -105,6 +107,8 @@ std::string takeValue(std::string_view key, std::string_view value, DeviceAddres
         address.zeroPitch = degrees(zero);
     } else if (key == "sign") {
         address.sign = value == "+" ? 1.0 : -1.0;
+    } else if (key == "echo") {
+        address.hasEcho = value == "yes";
     } else if (key == "speed") {
         address.isInTime = value == "1";
     }

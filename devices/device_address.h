@@ -31,6 +31,7 @@ struct DeviceAddress {
 
     int baud = 115200;     ///< baud= [bit/s]; a servo's is 57142 where nobody says otherwise
     int id = 1;            ///< id= of a servo on its bus
+    bool hasEcho = false;  ///< echo=yes: a servo's adapter is known to send back what is sent to it
     bool isInTime = true;  ///< speed=1 of a dialogue: at the pace at which it was recorded; speed=0 as fast as possible
 
     std::optional<double> zeroPitch;  ///< zero=, given in degrees: pitch φ at the unit's middle position [rad]

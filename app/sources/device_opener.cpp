@@ -190,6 +190,7 @@ Result<std::unique_ptr<TiltUnit>> DeviceOpener::openTiltUnit(const DeviceAddress
     options.mounting = mountingOf(address);
     options.id = static_cast<std::uint8_t>(address.id);
     options.baud = address.baud;
+    options.dropEcho = address.hasEcho;
     return connected<DynamixelTilt, TiltUnit>(std::make_unique<DynamixelTilt>(std::move(*link), clock_, options), stop);
 }
 

@@ -89,6 +89,9 @@ void DeviceAddressTest::optionsHaveDefaults()
     const auto servo = parseDeviceAddress("dynamixel:usb:");
     QCOMPARE(servo->baud, 57142);
     QCOMPARE(servo->id, 1);
+    QVERIFY(!servo->hasEcho);
+    QVERIFY(parseDeviceAddress("dynamixel:usb:?echo=yes")->hasEcho);
+    QVERIFY(!parseDeviceAddress("dynamixel:usb:?echo=no")->hasEcho);
     QVERIFY(!servo->zeroPitch);
     QCOMPARE(servo->sign, 1.0);
     QCOMPARE(servo->scale, 1.0);
@@ -181,10 +184,11 @@ void DeviceAddressTest::whatIsWrongIsNamed_data()
     row("serial:/dev/ttyS0?baud=4500001", "baud '4500001' is not");
     row("serial:/dev/ttyS0?baud", "baud '' is not");
     row("serial:/dev/ttyS0?baud=9600&baud=9600", "'baud' is given twice");
-    row("dynamixel:usb:?speed=0", "no option 'speed'; known: id, baud, zero, sign, scale");
+    row("dynamixel:usb:?speed=0", "no option 'speed'; known: id, echo, baud, zero, sign, scale");
     row("dynamixel:usb:?id=254", "id '254' is not a whole number from 0 to 253");
     row("dynamixel:usb:?id=-1", "id '-1' is not");
     row("dynamixel:usb:?id=1.5", "id '1.5' is not");
+    row("dynamixel:usb:?echo=1", "echo '1' is not yes");
     row("board:usb:?id=1", "no option 'id'; known: zero, sign, scale");
     row("board:serial:/dev/ttyACM0?Baud=1", "no option 'Baud'; known: baud, zero, sign, scale");
     row("board:usb:?zero=level", "zero 'level' is not a number of degrees from -360 to 360");

@@ -401,7 +401,7 @@ void DynamixelFaultsTest::whatAnswersWronglyIsRefusedAtConnect_data()
         QTest::addRow("%s garbled", name) << "servo-garbled" << model << "damaged|cable";
         QTest::addRow("%s wrong number", name) << "servo-wrong-id" << model << "number 7 answers in its place";
         QTest::addRow("%s two", name) << "servo-two" << model << "two servos|connect one servo alone";
-        QTest::addRow("%s echo", name) << "servo-echo" << model << "sends back what is sent|another adapter";
+        QTest::addRow("%s echo", name) << "servo-echo" << model << "sends back what is sent|echo=yes";
         QTest::addRow("%s wheel", name) << "servo-wheel" << model << "connect again";
     }
 }
