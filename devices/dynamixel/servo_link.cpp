@@ -136,8 +136,7 @@ Error ServoLink::failure(const ServoReply& reply, ErrorCode code) const
     const std::string echo =
         "the adapter sends back what is sent to it. Switch its echo off (a jumper, or \"local echo\")";
     if (reply.kind == ServoReply::Kind::Echo)
-        return {code, subject() + ": " + echo +
-                          ", or write echo=yes behind its address if it has no such switch"};
+        return {code, subject() + ": " + echo + ", or write echo=yes behind its address if it has no such switch"};
     if (reply.answers > 1)
         return {code, subject() +
                           ": two servos answer to this number. Connect them one at a time and give one of them "
