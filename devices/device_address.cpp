@@ -36,7 +36,9 @@ constexpr int kServoBaud = 57142;
 constexpr int kSlowestBaud = 300;
 constexpr int kFastestBaud = 4500000;
 constexpr int kHighestId = 253;
-constexpr double kMostZero = 360.0;
+constexpr double kMostAngle = 360.0;  // [degrees]
+constexpr double kLeastSpeed = 1.0;   // [degrees/s]
+constexpr double kMostSpeed = 720.0;  // [degrees/s]
 constexpr double kLeastScale = 0.01;
 constexpr double kMostScale = 100.0;
 
@@ -61,7 +63,7 @@ std::vector<std::string_view> knownKeys(const DeviceAddress& address)
     if (address.link == Link::Serial || address.unit == Unit::Dynamixel)
         keys.emplace_back("baud");
     if (address.unit != Unit::Laser)
-        keys.insert(keys.end(), {"zero", "sign", "scale"});
+        keys.insert(keys.end(), {"zero", "sign", "scale", "lowest", "highest", "fastest"});
     if (address.link == Link::Dialogue)
         keys.emplace_back("speed");
     return keys;
@@ -83,6 +85,13 @@ bool readsWithin(std::string_view text, Number lowest, Number highest, Number& n
     return readsNumber(text, number) && number >= lowest && number <= highest;
 }
 
+/// An angle of an option, given in degrees [rad]; empty where it is none.
+std::optional<double> readAngle(std::string_view text)
+{
+    double angle = 0.0;
+    return readsWithin(text, -kMostAngle, kMostAngle, angle) ? std::optional{degrees(angle)} : std::nullopt;
+}
+
 /// Sets what one option says; gives what is wrong with its value, or nothing.
 std::string takeValue(std::string_view key, std::string_view value, DeviceAddress& address)
 {
@@ -100,11 +109,18 @@ std::string takeValue(std::string_view key, std::string_view value, DeviceAddres
         return given + "yes, the adapter sends back what is sent to it, or no";
     if (key == "speed" && value != "0" && value != "1")
         return given + "0, as fast as possible, or 1, real time";
-    if (key == "zero") {
-        double zero = 0.0;
-        if (!readsWithin(value, -kMostZero, kMostZero, zero))
+    if (key == "zero" || key == "lowest" || key == "highest") {
+        std::optional<double>& angle = key == "zero"     ? address.zeroPitch
+                                       : key == "lowest" ? address.lowest
+                                                         : address.highest;
+        angle = readAngle(value);
+        if (!angle)
             return given + "a number of degrees from -360 to 360";
-        address.zeroPitch = degrees(zero);
+    } else if (key == "fastest") {
+        double speed = 0.0;
+        if (!readsWithin(value, kLeastSpeed, kMostSpeed, speed))
+            return given + "a number of degrees a second from 1 to 720";
+        address.fastest = degrees(speed);
     } else if (key == "sign") {
         address.sign = value == "+" ? 1.0 : -1.0;
     } else if (key == "echo") {
@@ -115,11 +131,44 @@ std::string takeValue(std::string_view key, std::string_view value, DeviceAddres
     return {};
 }
 
+/// True for "1-4.2": the bus, and the plugs from there on.
+bool isUsbPort(std::string_view text)
+{
+    const std::size_t dash = text.find('-');
+    if (dash == std::string_view::npos || dash == 0)
+        return false;
+    const auto areNumbers = [](std::string_view numbers) {
+        return !numbers.empty() && numbers.front() != '.' && numbers.back() != '.' &&
+               numbers.find("..") == std::string_view::npos &&
+               numbers.find_first_not_of("0123456789.") == std::string_view::npos;
+    };
+    return text.substr(0, dash).find('.') == std::string_view::npos && areNumbers(text.substr(0, dash)) &&
+           areNumbers(text.substr(dash + 1));
+}
+
+/// Takes "SERIAL@PORT" apart; a serial number may have an '@' of its own.
+std::string takeUsbName(std::string_view name, DeviceAddress& address)
+{
+    const std::size_t at = name.rfind('@');
+    if (at != std::string_view::npos && isUsbPort(name.substr(at + 1))) {
+        address.usbPort = name.substr(at + 1);
+        name = name.substr(0, at);
+    } else if (at == 0) {
+        return "'" + std::string{name.substr(1)} +
+               "' is no place where something is plugged in; give usb:@1-4 or, "
+               "behind a hub, usb:@1-4.2";
+    }
+    address.name = name;
+    return {};
+}
+
 /// Reads what stands between the link's word and the options; gives what is wrong with it, or nothing.
 std::string takeName(std::string_view name, DeviceAddress& address)
 {
     if (address.link == Link::Tcp)
         return readHostAndPort(name, 1, address.name, address.port);
+    if (address.link == Link::Usb)
+        return takeUsbName(name, address);
     address.name = name;
     if (address.name.empty() && address.link == Link::Serial)
         return "give a port, as in serial:/dev/ttyUSB0";
@@ -162,6 +211,8 @@ Result<DeviceAddress> parseDeviceAddress(const std::string& text)
         return refuse(problem);
     if (const std::string trouble = takeName(rest, address); !trouble.empty())
         return refuse(trouble);
+    if (!(address.lowest.value_or(kLowestPitch) < address.highest.value_or(kHighestPitch)))
+        return refuse("lowest is not below highest; the head could not move between them");
     return address;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/types/angle.h"
 #include "core/types/error.h"
 
 namespace planewright {
@@ -19,7 +20,7 @@ struct DeviceAddress {
         Board,      ///< board: a control board
     };
     enum class Link {
-        Usb,       ///< usb:SERIAL, or usb: where there is just one
+        Usb,       ///< usb:SERIAL, usb:@PORT, or usb: where there is just one
         Tcp,       ///< tcp:HOST:PORT, a host with colons in brackets
         Serial,    ///< serial:PATH
         Dialogue,  ///< dialogue:FILE, a session that was recorded
@@ -28,6 +29,7 @@ struct DeviceAddress {
     Link link = Link::Usb;
     std::string name;        ///< serial number, host, path of the port, or path of the file
     std::uint16_t port = 0;  ///< of Tcp
+    std::string usbPort;     ///< of Usb, behind an '@': where it is plugged in, "1-4.2"; empty: anywhere
 
     int baud = 115200;     ///< baud= [bit/s]; a servo's is 57142 where nobody says otherwise
     int id = 1;            ///< id= of a servo on its bus
@@ -37,7 +39,16 @@ struct DeviceAddress {
     std::optional<double> zeroPitch;  ///< zero=, given in degrees: pitch φ at the unit's middle position [rad]
     double sign = 1.0;                ///< sign=+ or sign=-: whether φ grows with the unit's counts
     double scale = 1.0;               ///< scale=: true angle over the one that the counts stand for
+    std::optional<double> lowest;     ///< lowest=, given in degrees: soft limits of the pitch φ [rad]
+    std::optional<double> highest;    ///< highest=, given in degrees [rad]
+    std::optional<double> fastest;    ///< fastest=, given in degrees a second: speed limit [rad/s]
 };
+
+/// Soft limits of a tilt unit and its speed limit where an address does not say otherwise: from straight down over
+/// level to straight up behind.
+inline constexpr double kLowestPitch = degrees(0.0);
+inline constexpr double kHighestPitch = degrees(180.0);
+inline constexpr double kFastestTilt = degrees(120.0);  ///< [rad/s]
 
 /// True where a text begins as the address of a laser, a servo or a board does: files are not taken for these.
 bool isDeviceAddress(const std::string& text);
@@ -45,7 +56,8 @@ bool isDeviceAddress(const std::string& text);
 /// Reads an address; options begin at the last '?'.
 ///
 /// Errors (Usage) begin with the address: no such unit or link, no name, an unknown key (with those known), a key
-/// twice, a number that is none or out of limits. Whether the device is there shows when it is opened.
+/// twice, a number that is none or out of limits, soft limits in which nothing lies. Whether the device is there shows
+/// when it is opened.
 Result<DeviceAddress> parseDeviceAddress(const std::string& text);
 
 }  // namespace planewright

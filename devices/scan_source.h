@@ -18,6 +18,7 @@ struct HealthFact {
     std::string name;
     std::string value;
     bool isTrouble = false;
+    std::string brief{};  ///< what a single line about the source shows of it; empty: nothing
 };
 
 /// Where slices come from: a scanner, a simulated one, or a recording. All code above sees no more of them than this.

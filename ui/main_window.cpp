@@ -173,7 +173,7 @@ void MainWindow::makeToolBar()
 
 void MainWindow::makeStatusBar()
 {
-    for (const char* name : {"stDevice", "stLoss", "stQueue", "stStep", "stRec", "stCoord", "stMessage"}) {
+    for (const char* name : {"stDevice", "stHealth", "stLoss", "stQueue", "stStep", "stRec", "stCoord", "stMessage"}) {
         auto* label = new QLabel;
         label->setObjectName(QLatin1String(name));
         label->setContentsMargins(6, 0, 6, 0);

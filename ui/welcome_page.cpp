@@ -56,7 +56,7 @@ QVBoxLayout* addCard(QHBoxLayout* row, const QString& title, const QString& text
     return layout;
 }
 
-QPushButton* addButton(QVBoxLayout* layout, const QString& text, const QString& name)
+QPushButton* addButton(QBoxLayout* layout, const QString& text, const QString& name)
 {
     auto* button = new QPushButton(text);
     button->setObjectName(name);
@@ -95,9 +95,17 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWi
     QPushButton* choose = addButton(open, tr("Open…"), QStringLiteral("welcomeOpen"));
     connect(choose, &QPushButton::clicked, this, &WelcomePage::openDialogRequested);
 
-    QVBoxLayout* rooms = addCard(cards, tr("Try another room"),
-                                 tr("Each is known to the millimetre, so that what is "
-                                    "found can be compared with what is there."));
+    QVBoxLayout* scanner = addCard(cards, tr("Connect a scanner"),
+                                   tr("A Hokuyo laser on a Dynamixel servo, or on a control board. What is plugged in "
+                                      "is listed there, and tested before it scans."));
+    QPushButton* connectScanner = addButton(scanner, tr("Connect…"), QStringLiteral("welcomeConnect"));
+    connect(connectScanner, &QPushButton::clicked, this, &WelcomePage::connectRequested);
+
+    page->addSpacing(16);
+    page->addWidget(new QLabel(tr("Other simulated rooms, each known to the millimetre")));
+    auto* rooms = new QHBoxLayout;
+    rooms->setSpacing(8);
+    page->addLayout(rooms);
     for (const Room& room : kRooms) {
         const QString scene = QLatin1String(room.scene);
         QPushButton* button = addButton(rooms, tr(room.title), QStringLiteral("welcome_") + scene);

@@ -9,7 +9,7 @@
 
 namespace planewright {
 
-/// What is shown before there is a scan: see it work, open something, or try another room.
+/// What is shown before there is a scan: see it work, open something, connect a scanner, or try another room.
 class WelcomePage : public QWidget {
     Q_OBJECT
 
@@ -23,6 +23,8 @@ signals:
     /// Somebody wants to see it work: the sample corridor.
     void sampleRequested();
     void openDialogRequested();
+    /// Somebody has a scanner.
+    void connectRequested();
     /// A file, or an address of a simulated room.
     void openRequested(const QString& fileOrAddress);
 

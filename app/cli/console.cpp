@@ -41,6 +41,11 @@ void printError(std::string_view message)
     printLine("planewright-cli: " + std::string{message});
 }
 
+void printNote(std::string_view message)
+{
+    printLine("planewright-cli: " + std::string{message});
+}
+
 void printWarning(std::string_view message)
 {
     printLine("planewright-cli: warning: " + std::string{message});

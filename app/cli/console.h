@@ -16,6 +16,9 @@ void reserveStandardStreams();
 /// One line on stderr, `planewright-cli: …`; control characters of foreign texts become '?'.
 void printError(std::string_view message);
 
+/// The same of something that is no failure.
+void printNote(std::string_view message);
+
 /// One line on stderr, `planewright-cli: warning: …`.
 void printWarning(std::string_view message);
 

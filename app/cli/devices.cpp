@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <atomic>
+#include <cmath>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -11,31 +14,41 @@
 #include "app/cli/console.h"
 #include "app/cli/json_text.h"
 #include "app/cli/signal_watch.h"
+#include "app/sources/device_opener.h"
 #include "app/sources/found_devices.h"
+#include "app/sources/unit_motion.h"
+#include "core/formats/number_text.h"
+#include "core/types/angle.h"
 
 namespace planewright {
 
 namespace {
 
-/// Asking takes a second for each laser; a signal ends it.
-std::vector<FoundDevice> findWatched(const SignalWatch& signals, std::optional<int>& interrupted)
+struct DevicesOptions {
+    bool json = false;
+    std::string home;  ///< address of a unit to bring to level
+};
+
+/// Does on a thread of its own what takes its time: a signal ends it, and holds at once what moves.
+template <class Value>
+Value doWatched(const SignalWatch& signals, std::optional<int>& interrupted,
+                const std::function<Value(const std::stop_token&)>& work)
 {
     constexpr std::chrono::milliseconds kLookEvery{50};
-    std::vector<FoundDevice> found;
+    std::optional<Value> value;
     std::atomic<bool> isDone{false};
-    std::jthread asking([&](const std::stop_token& stop) {
-        DeviceOpener opener(steadyClock());
-        found = findDevices(opener, true, stop);
+    std::jthread working([&](const std::stop_token& stop) {
+        value.emplace(work(stop));
         isDone = true;
     });
     while (!isDone) {
         if (const auto signal = signals.wait(kLookEvery)) {
             interrupted = signal;
-            asking.request_stop();
+            working.request_stop();
         }
     }
-    asking.join();
-    return found;
+    working.join();
+    return std::move(*value);
 }
 
 std::string asText(const std::vector<FoundDevice>& devices)
@@ -68,13 +81,64 @@ Result<ExitCode> listDevices(bool json)
 {
     const SignalWatch signals;
     std::optional<int> interrupted;
-    const std::vector<FoundDevice> devices = findWatched(signals, interrupted);
+    // Asking takes a second for each laser.
+    const auto found = doWatched<FoundDevices>(signals, interrupted, [](const std::stop_token& stop) {
+        DeviceOpener opener(steadyClock());
+        return findDevices(opener, true, {}, stop);
+    });
     if (interrupted)
         return static_cast<ExitCode>(128 + *interrupted);
-    const Result<void> printed = print(json ? asJson(devices) : asText(devices));
+    if (!found.usbProblem.empty())
+        printWarning(found.usbProblem);
+    const Result<void> printed = print(json ? asJson(found.devices) : asText(found.devices));
     if (!printed)
         return tl::unexpected{printed.error()};
     return ExitCode::Done;
+}
+
+Result<std::string> homeUnit(const DeviceAddress& address, const std::stop_token& stop)
+{
+    DeviceOpener opener(steadyClock());
+    auto unit = opener.openTiltUnit(address, stop);
+    if (!unit)
+        return tl::unexpected{unit.error()};
+    UnitMotion motion(std::move(*unit), steadyClock(), stop);
+    const Result<double> there = bringToLevel(motion);
+    if (!there)
+        return tl::unexpected{there.error()};
+    return motion.unit().identity() + ": stands at " + formatNumber(std::round(toDegrees(*there) * 10.0) / 10.0) +
+           "°, and is held\n";
+}
+
+/// What one unit is to do, of an address that an option gives.
+Result<ExitCode> withUnit(const std::string& option, const std::string& text,
+                          Result<std::string> (*act)(const DeviceAddress&, const std::stop_token&))
+{
+    const auto address = parseDeviceAddress(text);
+    if (!address)
+        return fail(address.error().code, option + ": " + address.error().message);
+    const SignalWatch signals;
+    std::optional<int> interrupted;
+    const auto done = doWatched<Result<std::string>>(signals, interrupted,
+                                                     [&](const std::stop_token& stop) { return act(*address, stop); });
+    if (!done && interrupted && done.error().code == ErrorCode::Interrupted) {
+        printError(done.error().message);
+        return static_cast<ExitCode>(128 + *interrupted);
+    }
+    if (!done)
+        return tl::unexpected{done.error()};
+    if (const Result<void> printed = print(*done); !printed)
+        return tl::unexpected{printed.error()};
+    return interrupted ? static_cast<ExitCode>(128 + *interrupted) : ExitCode::Done;
+}
+
+Result<ExitCode> runDevices(const DevicesOptions& options)
+{
+    if (options.home.empty())
+        return listDevices(options.json);
+    if (options.json)
+        return fail(ErrorCode::Usage, "--json is for the list of devices; leave it out");
+    return withUnit("--home", options.home, homeUnit);
 }
 
 }  // namespace
@@ -82,9 +146,13 @@ Result<ExitCode> listDevices(bool json)
 void addDevicesCommand(CLI::App& program, Command& chosen)
 {
     CLI::App& command = *program.add_subcommand("devices", "what is connected, and the address of each");
-    auto json = std::make_shared<bool>(false);
-    command.add_flag("--json", *json, "as JSON");
-    command.callback([json, &chosen] { chosen = [json] { return listDevices(*json); }; });
+    auto options = std::make_shared<DevicesOptions>();
+    command.add_flag("--json", options->json, "as JSON");
+    command
+        .add_option("--home", options->home,
+                    "bring the head of this tilt unit to level, slowly, and hold it there; Ctrl-C holds it at once")
+        ->type_name("ADDRESS");
+    command.callback([options, &chosen] { chosen = [options] { return runDevices(*options); }; });
 }
 
 }  // namespace planewright

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
+#include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,6 +17,7 @@
 #include "app/sources/open_source.h"
 #include "devices/emulated/device_server.h"
 #include "devices/emulated/emulated_rig.h"
+#include "devices/emulated/servo_kind.h"
 
 namespace planewright {
 
@@ -27,8 +31,38 @@ struct EmulateOptions {
     std::string board;
     std::string model = "UTM-30LX";
     std::string serial = "00000001";
+    std::string servo;  ///< empty: RX-64
+    int baud = 0;       ///< of the servo's bus; 0: that of a new RX
     std::vector<std::string> faults;
 };
+
+/// "RX-64, AX-12, MX-28 and XM430-W350".
+std::string namesOf(std::span<const EmulatedServoKind> kinds)
+{
+    std::string text;
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == kinds.size() ? " and " : ", ") + std::string{kinds[i].name};
+    return text;
+}
+
+/// The servo as it comes from its maker, or what the options say. Errors (Usage).
+Result<void> takeServo(const EmulateOptions& options, EmulatedRigSetup& setup)
+{
+    if (options.tilt.empty() && (!options.servo.empty() || options.baud != 0))
+        return fail(ErrorCode::Usage, "--servo, --baud: there is no servo without --tilt; give it, or leave them out");
+    const std::span<const EmulatedServoKind> kinds = emulatedServoKinds();
+    if (!options.servo.empty()) {
+        const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                       [&](const EmulatedServoKind& known) { return known.name == options.servo; });
+        if (kind == kinds.end())
+            return fail(ErrorCode::Usage,
+                        "--servo: '" + options.servo + "' cannot be emulated. Known: " + namesOf(kinds));
+        setup.servoModel = kind->model;
+    }
+    if (options.baud != 0)
+        setup.baud = options.baud;
+    return {};
+}
 
 Result<EmulatedRigSetup> setupOf(const EmulateOptions& options)
 {
@@ -49,6 +83,8 @@ Result<EmulatedRigSetup> setupOf(const EmulateOptions& options)
     setup.tilt = !options.board.empty()  ? EmulatedRigSetup::Tilt::Board
                  : !options.tilt.empty() ? EmulatedRigSetup::Tilt::Servo
                                          : EmulatedRigSetup::Tilt::None;
+    if (const Result<void> servo = takeServo(options, setup); !servo)
+        return tl::unexpected{servo.error()};
     for (const std::string& text : options.faults) {
         const Result<FaultAt> fault = parseFaultAt(text);
         if (!fault)
@@ -58,14 +94,14 @@ Result<EmulatedRigSetup> setupOf(const EmulateOptions& options)
     return setup;
 }
 
-/// Where a device is served, as the address that opens it.
+/// Where a device is served, as the address that opens it: `unit` before the link, `options` behind it.
 Result<std::string> serve(DeviceServer& server, EmulatedDevice& device, const std::string& where,
-                          const std::string& unit)
+                          const std::string& unit, const std::string& options)
 {
     const Result<std::string> address = server.add(device, where);
     if (!address)
         return address;
-    return unit + *address + "\n";
+    return unit + *address + options + "\n";
 }
 
 Result<ExitCode> emulate(const EmulateOptions& options)
@@ -84,13 +120,15 @@ Result<ExitCode> emulate(const EmulateOptions& options)
         const std::string& where;
         EmulatedDevice* device;
         const char* unit;
+        std::string options;
     };
-    for (const Place& place :
-         {Place{options.laser, (*rig)->laser().get(), ""}, Place{options.tilt, (*rig)->tilt().get(), "dynamixel:"},
-          Place{options.board, (*rig)->tilt().get(), "board:"}}) {
+    const std::string rate = options.baud == 0 ? "" : "?baud=" + std::to_string(options.baud);
+    for (const Place& place : {Place{options.laser, (*rig)->laser().get(), "", ""},
+                               Place{options.tilt, (*rig)->tilt().get(), "dynamixel:", rate},
+                               Place{options.board, (*rig)->tilt().get(), "board:", ""}}) {
         if (place.where.empty())
             continue;
-        const auto address = serve(server, *place.device, place.where, place.unit);
+        const auto address = serve(server, *place.device, place.where, place.unit, place.options);
         if (!address)
             return tl::unexpected{address.error()};
         addresses += *address;
@@ -130,6 +168,12 @@ void addEmulateCommand(CLI::App& program, Command& chosen)
     command.add_option("--board", options->board, "serve a control board that tilts it: tcp:PORT or pty")
         ->type_name("SERVE");
     command.add_option("--model", options->model, "UTM-30LX, UST-20LX or URG-04LX")->type_name("NAME");
+    command
+        .add_option("--servo", options->servo,
+                    "servo behind --tilt: " + namesOf(emulatedServoKinds()) + " (default RX-64)")
+        ->type_name("NAME");
+    addWholeNumber(command, "--baud", options->baud, 300, 4'500'000,
+                   "rate of the servo's bus in bit/s (default 57142)");
     command.add_option("--serial", options->serial, "number that the laser says it has")->type_name("NUMBER");
     std::string kinds = "what goes wrong, from the STEP-th turn of the mirror since it first streamed:";
     for (const EmulatedFaultKind& kind : emulatedFaultKinds())

@@ -24,6 +24,7 @@
 #include "app/session/loops/pwscan_recorder.h"
 #include "app/session/loops/scan_pipeline.h"
 #include "app/sources/open_source.h"
+#include "app/sources/scan_size.h"
 #include "core/formats/recorded_slice.h"
 #include "core/formats/recording_csv.h"
 
@@ -180,6 +181,9 @@ Result<ExitCode> record(const RecordOptions& options)
     auto recorder = beginRecording(options, *opened->source);
     if (!recorder)
         return tl::unexpected{recorder.error()};
+
+    if (opened->plan)
+        printNote(scanSizeText(*opened->plan, opened->source->plannedSlices().value_or(0)));
 
     ScanNews news;
     ScanPipeline* running = nullptr;

@@ -16,6 +16,11 @@ namespace planewright {
 
 namespace {
 
+bool isGiven(double number)
+{
+    return !std::isnan(number);
+}
+
 /// "A:B" in degrees.
 Result<std::pair<double, double>> parseBearings(const std::string& text)
 {
@@ -45,6 +50,10 @@ Result<ScanPlan> planOf(const ScanSetupOptions& options, const AcquisitionSettin
     plan.slices = settings.slices;
     if (options.settle >= 0)
         plan.settle = std::chrono::milliseconds{options.settle};
+    if (isGiven(options.travelSpeed))
+        plan.travelSpeed = degrees(options.travelSpeed);
+    if (isGiven(options.axisOffset))
+        plan.pitchAxisOffset = options.axisOffset;
     if (!options.bearing.empty()) {
         const auto bearings = parseBearings(options.bearing);
         if (!bearings)
@@ -59,11 +68,12 @@ Result<ScanPlan> planOf(const ScanSetupOptions& options, const AcquisitionSettin
 Result<void> checkKind(const ScanSetupOptions& options, SourceAddress::Kind kind)
 {
     const bool isOfDevices = !options.tiltUnit.empty() || !options.bearing.empty() || options.stepAndStare ||
-                             options.settle >= 0 || !options.dialogueFolder.empty();
+                             options.settle >= 0 || isGiven(options.travelSpeed) || isGiven(options.axisOffset) ||
+                             !options.dialogueFolder.empty();
     if (kind != SourceAddress::Kind::Laser && isOfDevices)
         return fail(ErrorCode::Usage,
-                    "--tilt-unit, --bearing, --step-and-stare, --settle and --dialogues are for a laser; "
-                    "leave them out");
+                    "--tilt-unit, --bearing, --step-and-stare, --settle, --travel-speed, --axis-offset and --dialogues "
+                    "are for a laser; leave them out");
     if (kind == SourceAddress::Kind::Replay && (!options.tilt.empty() || options.slices > 0))
         return fail(ErrorCode::Usage, "--tilt, --slices: a replay has the slices of its recording; leave them out");
     if (kind == SourceAddress::Kind::Laser && options.tiltUnit.empty())
@@ -81,7 +91,9 @@ void addScanSetupOptions(CLI::App& command, ScanSetupOptions& options)
         .add_option(
             "--tilt-unit", options.tiltUnit,
             "what tilts the laser: dynamixel:usb:SERIAL?id=1&baud=57142, dynamixel:serial:PATH, board:usb:SERIAL or "
-            "board:serial:PATH; zero=, sign= and scale= tell how it is mounted")
+            "board:serial:PATH; zero=, sign= and scale= tell how it is mounted, lowest= and highest= (degrees) where "
+            "it "
+            "may go, fastest= (degrees a second) how fast")
         ->type_name("ADDRESS");
     command.add_option("--tilt", options.tilt, "pitch of the slices in degrees (default 10:170:1.16, 137 slices)")
         ->type_name("A:B:STEP");
@@ -92,6 +104,10 @@ void addScanSetupOptions(CLI::App& command, ScanSetupOptions& options)
                      "the head stands still for each slice; without it the head nods at constant speed");
     addWholeNumber(command, "--settle", options.settle, 0, 10'000,
                    "with --step-and-stare: rest before a slice in ms (default 8)");
+    addNumber(command, "--travel-speed", options.travelSpeed, 1.0, 720.0,
+              "speed between steps, and to where a scan begins, in degrees a second (default 90)");
+    addNumber(command, "--axis-offset", options.axisOffset, -1.0, 1.0,
+              "d_l, the distance from the axis of the tilt to the laser's origin in metres (default 0.05)");
     command
         .add_option("--dialogues", options.dialogueFolder,
                     "folder in which every byte to and from the devices is recorded")

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -12,18 +13,23 @@
 
 namespace planewright {
 
-/// What the command line says of how a scan is taken; empty and 0: nothing.
+/// What the command line says of how a scan is taken; empty, 0 and not a number: nothing.
 struct ScanSetupOptions {
+    static constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
+
     std::string tiltUnit;
     std::string tilt;
     std::string bearing;
     int slices = 0;
     bool stepAndStare = false;
-    int settle = -1;  ///< [ms]
+    int settle = -1;                 ///< [ms]
+    double travelSpeed = kNotGiven;  ///< [degrees/s]
+    double axisOffset = kNotGiven;   ///< [m]
     std::string dialogueFolder;
 };
 
-/// Adds --tilt-unit, --tilt, --slices, --bearing, --step-and-stare, --settle and --dialogues.
+/// Adds --tilt-unit, --tilt, --slices, --bearing, --step-and-stare, --settle, --travel-speed, --axis-offset and
+/// --dialogues.
 void addScanSetupOptions(CLI::App& command, ScanSetupOptions& options);
 
 /// What sources are set up with. Errors (Usage): angles that are none, or an option that this kind of source has not.

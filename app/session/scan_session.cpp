@@ -229,6 +229,11 @@ std::vector<HealthFact> ScanSession::health() const
     return parts_->opened.source ? parts_->opened.source->health() : std::vector<HealthFact>{};
 }
 
+std::optional<KnownScanner> ScanSession::scanner() const
+{
+    return parts_->opened.scanner;
+}
+
 const Parameters& ScanSession::parameters() const
 {
     return parts_->parameters.back().parameters;

@@ -87,6 +87,8 @@ public:
     SessionStatus status() const;
     /// What the devices of the source say of themselves; nothing of a source that has none.
     std::vector<HealthFact> health() const;
+    /// What the devices of the source said of themselves when they were opened; nothing of a source that has none.
+    std::optional<KnownScanner> scanner() const;
     /// In force for the next step, and for a rerun.
     const Parameters& parameters() const;
     /// What is said once about the corrected slices; those of map().

@@ -29,18 +29,19 @@ struct SessionMap {
 
 /// How a session goes on, for the status bar.
 struct SessionStatus {
-    std::string source;                      ///< name of the scanner or the file; empty without one
-    double slicesPerSecond = 0.0;            ///< 0 where no slices come
-    std::size_t queueDepth = 0;              ///< slices that wait to be recorded or extracted
-    std::chrono::nanoseconds stepTime{0};    ///< of the last step
-    int acquired = 0;                        ///< slices of this scan so far
-    int extracted = 0;                       ///< of these, worked in
-    int plannedSteps = 0;                    ///< 0 where nobody knows
-    int lost = 0;                            ///< steps that were passed over
-    std::string recording;                   ///< path of the file; empty where nothing is recorded
-    std::uint64_t recordedBytes = 0;         ///< on the disk
-    std::optional<std::uint64_t> freeBytes;  ///< what there is room for
-    std::size_t notOnDisk = 0;               ///< slices that are held in memory because writing fails
+    std::string source;                            ///< name of the scanner or the file; empty without one
+    double slicesPerSecond = 0.0;                  ///< 0 where no slices come
+    std::size_t queueDepth = 0;                    ///< slices that wait to be recorded or extracted
+    std::chrono::nanoseconds stepTime{0};          ///< of the last step
+    int acquired = 0;                              ///< slices of this scan so far
+    int extracted = 0;                             ///< of these, worked in
+    int plannedSteps = 0;                          ///< 0 where nobody knows
+    std::chrono::duration<double> plannedTime{0};  ///< of a scan with devices, at least; 0 where nobody knows
+    int lost = 0;                                  ///< steps that were passed over
+    std::string recording;                         ///< path of the file; empty where nothing is recorded
+    std::uint64_t recordedBytes = 0;               ///< on the disk
+    std::optional<std::uint64_t> freeBytes;        ///< what there is room for
+    std::size_t notOnDisk = 0;                     ///< slices that are held in memory because writing fails
 };
 
 /// How loud a line of the log is.

@@ -316,6 +316,8 @@ SessionStatus SessionParts::status() const
     if (opened.source) {
         status.source = opened.source->name();
         status.plannedSteps = opened.source->plannedSlices().value_or(0);
+        if (opened.plan)
+            status.plannedTime = opened.plan->time;
     }
     status.slicesPerSecond = run ? now.slicesPerSecond : 0.0;
     status.queueDepth = now.queueDepth;

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/sources/device_access.h"
 #include "app/sources/open_source.h"
 
 namespace planewright {
@@ -23,7 +24,9 @@ using DeviceCheckProgress = std::function<void(std::size_t check, const std::opt
 
 /// Looks whether a laser and a tilt unit can scan: opens both, takes a turn of the mirror, and moves the head by 5° and
 /// back to where it was. Ends with the first check that fails, and closes both. Nothing moves before the last check.
-void checkDevices(const std::string& laser, const NoddingSetup& setup, const Clock& clock,
+///
+/// A stop holds the head at once, in the thread of whoever asks for it, and fails the check that runs.
+void checkDevices(DeviceAccess& devices, const std::string& laser, const NoddingSetup& setup, const Clock& clock,
                   const DeviceCheckProgress& progress, const std::stop_token& stop);
 
 }  // namespace planewright

@@ -4,6 +4,8 @@
 #include "app/sources/device_opener.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "core/types/angle.h"
@@ -21,41 +23,13 @@ namespace planewright {
 
 namespace {
 
-constexpr std::uint16_t kHokuyo = 0x15d1;
+constexpr int kMostDialogues = 9999;
 
-/// What people call a kind of device.
-std::string nameOf(DeviceAddress::Unit unit)
-{
-    switch (unit) {
-        case DeviceAddress::Unit::Laser:
-            return "laser";
-        case DeviceAddress::Unit::Dynamixel:
-            return "servo adapter";
-        case DeviceAddress::Unit::Board:
-            break;
-    }
-    return "control board";
-}
-
-bool isOfUnit(const UsbDevice& device, DeviceAddress::Unit unit)
-{
-    switch (unit) {
-        case DeviceAddress::Unit::Laser:
-            return isUsbLaser(device);
-        case DeviceAddress::Unit::Dynamixel:
-            return device.kind == UsbKind::Ftdi;
-        case DeviceAddress::Unit::Board:
-            break;
-    }
-    return device.kind == UsbKind::CdcAcm && !isUsbLaser(device);
-}
-
-/// "00903971, 00903972", or "none".
 std::string listOf(const std::vector<std::string>& names)
 {
     std::string text;
     for (const std::string& name : names)
-        text += (text.empty() ? "" : ", ") + (name.empty() ? "one without a number" : name);
+        text += (text.empty() ? "" : ", ") + name;
     return text.empty() ? "none" : text;
 }
 
@@ -69,20 +43,15 @@ Result<std::unique_ptr<Base>> connected(std::unique_ptr<Driver> driver, const st
 
 }  // namespace
 
-bool isUsbLaser(const UsbDevice& device)
-{
-    return device.kind == UsbKind::CdcAcm && device.vendor == kHokuyo;
-}
-
 TiltMounting mountingOf(const DeviceAddress& address)
 {
     TiltMounting mounting;
     mounting.zeroPitch = address.zeroPitch.value_or(degrees(90.0));
     mounting.sign = address.sign;
     mounting.scale = address.scale;
-    mounting.lowest = degrees(0.0);
-    mounting.highest = degrees(180.0);
-    mounting.fastest = degrees(120.0);
+    mounting.lowest = address.lowest.value_or(kLowestPitch);
+    mounting.highest = address.highest.value_or(kHighestPitch);
+    mounting.fastest = address.fastest.value_or(kFastestTilt);
     return mounting;
 }
 
@@ -105,10 +74,12 @@ Result<std::shared_ptr<UsbBus>> DeviceOpener::bus()
     return started;
 }
 
-std::vector<UsbDevice> DeviceOpener::usbDevices()
+Result<std::vector<UsbDevice>> DeviceOpener::usbDevices()
 {
     const auto usb = bus();
-    return usb ? (*usb)->devices() : std::vector<UsbDevice>{};
+    if (!usb)
+        return tl::unexpected{usb.error()};
+    return (*usb)->devices();
 }
 
 Result<std::unique_ptr<Laser>> DeviceOpener::openLaser(const DeviceAddress& address, const std::stop_token& stop)
@@ -116,7 +87,7 @@ Result<std::unique_ptr<Laser>> DeviceOpener::openLaser(const DeviceAddress& addr
     if (address.unit != DeviceAddress::Unit::Laser)
         return fail(ErrorCode::Usage, "this is the address of a " + nameOf(address.unit) + ", not of a laser");
     if (address.link == DeviceAddress::Link::Usb)
-        return openUsbLaser(address.name, stop);
+        return openUsbLaser(address, stop);
     Result<std::unique_ptr<Transport>> link = openLink(address, stop);
     if (!link)
         return tl::unexpected{link.error()};
@@ -142,34 +113,60 @@ Result<std::unique_ptr<Laser>> DeviceOpener::openLaserOn(const UsbDevice& device
     return connectLaser(std::move(*link), stop);
 }
 
-/// USB has no names for lasers: each is asked. Of those that cannot be asked the reason is kept, since the one that is
-/// looked for may be among them.
-Result<std::unique_ptr<Laser>> DeviceOpener::openUsbLaser(const std::string& serial, const std::stop_token& stop)
+/// The lasers that an address may mean, the likeliest first: the one where it was plugged in the last time.
+Result<std::vector<UsbDevice>> DeviceOpener::lasersOf(const DeviceAddress& address)
 {
-    std::vector<UsbDevice> lasers = usbDevices();
-    std::erase_if(lasers, [](const UsbDevice& device) { return !isUsbLaser(device); });
+    const auto devices = usbDevices();
+    if (!devices)
+        return tl::unexpected{devices.error()};
+    std::vector<UsbDevice> lasers = usbDevicesOf(address, *devices);
+    if (lasers.empty() && address.name.empty() && !address.usbPort.empty())
+        return fail(ErrorCode::NoDevice,
+                    "no laser is plugged in at usb " + address.usbPort +
+                        "; plug it in there, or choose another (planewright-cli devices lists them)");
     if (lasers.empty())
         return fail(ErrorCode::NoDevice, "no laser is connected by USB; plug it in, and switch its supply on");
-    if (serial.empty() && lasers.size() > 1)
+    if (address.name.empty() && lasers.size() > 1)
         return fail(ErrorCode::NoDevice, std::to_string(lasers.size()) +
-                                             " lasers are connected by USB; name one, as in "
-                                             "usb:NUMBER (planewright-cli devices lists them)");
+                                             " lasers are connected by USB; name one, as in usb:NUMBER "
+                                             "(planewright-cli devices lists them)");
+    std::string last = address.usbPort;
+    {
+        const std::scoped_lock lock{mutex_};
+        if (const auto known = lastPorts_.find(address.name); known != lastPorts_.end())
+            last = known->second;
+    }
+    std::stable_partition(lasers.begin(), lasers.end(), [&](const UsbDevice& device) { return device.port == last; });
+    return lasers;
+}
+
+/// USB has no names for lasers: each is asked. Of those that cannot be asked the reason is kept, since the one that is
+/// looked for may be among them.
+Result<std::unique_ptr<Laser>> DeviceOpener::openUsbLaser(const DeviceAddress& address, const std::stop_token& stop)
+{
+    const auto lasers = lasersOf(address);
+    if (!lasers)
+        return tl::unexpected{lasers.error()};
     std::vector<std::string> others;
     std::string troubles;
-    for (const UsbDevice& device : lasers) {
+    for (const UsbDevice& device : *lasers) {
         Result<std::unique_ptr<Laser>> laser = openLaserOn(device, stop);
-        if (!laser && (serial.empty() || laser.error().code == ErrorCode::Interrupted))
+        if (!laser && (address.name.empty() || laser.error().code == ErrorCode::Interrupted))
             return laser;
         if (!laser) {
             troubles += "; " + laser.error().message;
             continue;
         }
-        if (serial.empty() || (*laser)->identity().serial == serial)
+        const std::string& serial = (*laser)->identity().serial;
+        if (address.name.empty() || serial == address.name) {
+            const std::scoped_lock lock{mutex_};
+            lastPorts_[serial] = device.port;
             return laser;
-        others.push_back((*laser)->identity().serial);
+        }
+        others.push_back(serial);
     }
     return fail(ErrorCode::NoDevice,
-                "no laser of number " + serial + " is connected by USB; there are: " + listOf(others) + troubles);
+                "no laser of number " + address.name + " is connected by USB; there are: " + listOf(others) + troubles);
 }
 
 Result<std::unique_ptr<TiltUnit>> DeviceOpener::openTiltUnit(const DeviceAddress& address, const std::stop_token& stop)
@@ -218,22 +215,25 @@ Result<std::unique_ptr<Transport>> DeviceOpener::openLink(const DeviceAddress& a
 Result<UsbDevice> DeviceOpener::findUsb(const DeviceAddress& address)
 {
     const std::string kind = nameOf(address.unit);
-    std::vector<UsbDevice> devices = usbDevices();
-    std::erase_if(devices, [&](const UsbDevice& device) { return !isOfUnit(device, address.unit); });
-    if (devices.empty())
+    const auto devices = usbDevices();
+    if (!devices)
+        return tl::unexpected{devices.error()};
+    DeviceAddress any = address;
+    any.name.clear();
+    any.usbPort.clear();
+    const std::vector<UsbDevice> there = usbDevicesOf(any, *devices);
+    const std::vector<UsbDevice> meant = usbDevicesOf(address, *devices);
+    if (there.empty())
         return fail(ErrorCode::NoDevice, "no " + kind + " is connected by USB; plug it in");
-    std::vector<std::string> serials;
-    for (const UsbDevice& device : devices)
-        serials.push_back(device.serial);
-    if (!address.name.empty())
-        std::erase_if(devices, [&](const UsbDevice& device) { return device.serial != address.name; });
-    if (devices.empty())
-        return fail(ErrorCode::NoDevice, "no " + kind + " of number " + address.name +
-                                             " is connected by USB; there are: " + listOf(serials));
-    if (devices.size() > 1)
+    if (meant.empty())
+        return fail(ErrorCode::NoDevice, "no " + kind +
+                                             (address.name.empty() ? std::string{} : " of number " + address.name) +
+                                             (address.usbPort.empty() ? "" : " at usb " + address.usbPort) +
+                                             " is connected; there are: " + listOf(usbNamesOf(there)));
+    if (meant.size() > 1)
         return fail(ErrorCode::NoDevice, "several are connected by USB that could be this " + kind +
-                                             "; name one by its number: " + listOf(serials));
-    return devices.front();
+                                             "; name one behind usb:, of these: " + listOf(usbNamesOf(meant)));
+    return meant.front();
 }
 
 Result<std::unique_ptr<Transport>> DeviceOpener::openUsb(const DeviceAddress& address)
@@ -256,16 +256,19 @@ Result<std::unique_ptr<Transport>> DeviceOpener::recorded(std::unique_ptr<Transp
 {
     if (options_.dialogueFolder.empty())
         return link;
-    int number = 0;
-    {
-        const std::scoped_lock lock{mutex_};
-        number = ++dialogues_;
+    std::error_code unused;
+    std::filesystem::create_directories(options_.dialogueFolder, unused);  // what is wrong shows below
+    const std::scoped_lock lock{mutex_};
+    for (int number = 1; number <= kMostDialogues; ++number) {
+        const std::string path = options_.dialogueFolder + "/" + device + "-" + std::to_string(number) + ".dialogue";
+        if (std::filesystem::exists(path, unused))
+            continue;
+        auto writer = DialogueWriter::create(path, link->name());
+        if (!writer)
+            return tl::unexpected{writer.error()};
+        return std::make_unique<DialogueRecorder>(std::move(link), std::move(*writer), clock_);
     }
-    const std::string path = options_.dialogueFolder + "/" + device + "-" + std::to_string(number) + ".dialogue";
-    auto writer = DialogueWriter::create(path, link->name());
-    if (!writer)
-        return tl::unexpected{writer.error()};
-    return std::make_unique<DialogueRecorder>(std::move(link), std::move(*writer), clock_);
+    return fail(ErrorCode::NotWritten, options_.dialogueFolder + ": is full of dialogues; give another folder");
 }
 
 }  // namespace planewright

@@ -4,17 +4,16 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "app/sources/device_access.h"
 #include "devices/clock.h"
-#include "devices/device_address.h"
-#include "devices/laser.h"
 #include "devices/scip/scip_connect.h"
-#include "devices/tilt_unit.h"
 #include "devices/transport/transport.h"
 #include "devices/transport/usb_bus.h"
 
@@ -22,37 +21,31 @@ namespace planewright {
 
 /// How devices are opened, the same for all of a scan.
 struct DeviceOptions {
-    /// Folder in which every dialogue with a device is recorded, byte by byte; empty: none is.
+    /// Folder in which every dialogue with a device is recorded, byte by byte, in a file of its own each time that it
+    /// is opened: laser-1.dialogue, tilt-1.dialogue, laser-2.dialogue. Made where it is not there. Empty: none is.
     std::string dialogueFolder;
     /// Told what is waited for while a laser starts up, in the thread that waits.
     ScipProgress progress;
 };
 
-/// Opens lasers and tilt units by what people call them. Any thread; a device takes seconds where it is ill.
-class DeviceOpener {
+/// Opens lasers and tilt units by what people call them.
+class DeviceOpener : public DeviceAccess {
 public:
     explicit DeviceOpener(const Clock& clock, DeviceOptions options = {});
 
     /// Told on the bus's thread when a USB device has come or gone: it only takes note.
     void onUsbChange(std::function<void()> changed);
 
-    /// The laser of an address, connected: it answers, and is the one that was asked for. Of several that USB cannot
-    /// tell apart each is asked for its number.
-    ///
-    /// Errors: NoDevice, naming those that are there; Usage for an address of something else; Interrupted.
-    Result<std::unique_ptr<Laser>> openLaser(const DeviceAddress& address, const std::stop_token& stop);
-
-    /// The servo or board of an address, connected; nothing moves. Errors as for openLaser().
-    Result<std::unique_ptr<TiltUnit>> openTiltUnit(const DeviceAddress& address, const std::stop_token& stop);
-
-    /// The USB devices that there are; empty where this machine has no USB.
-    std::vector<UsbDevice> usbDevices();
-    /// A laser that is on a USB device, connected. Errors (NoDevice): it cannot be opened, or does not answer as one.
-    Result<std::unique_ptr<Laser>> openLaserOn(const UsbDevice& device, const std::stop_token& stop);
+    Result<std::vector<UsbDevice>> usbDevices() override;
+    /// One that was opened before is looked for first where it was then.
+    Result<std::unique_ptr<Laser>> openLaser(const DeviceAddress& address, const std::stop_token& stop) override;
+    Result<std::unique_ptr<Laser>> openLaserOn(const UsbDevice& device, const std::stop_token& stop) override;
+    Result<std::unique_ptr<TiltUnit>> openTiltUnit(const DeviceAddress& address, const std::stop_token& stop) override;
 
 private:
     Result<std::shared_ptr<UsbBus>> bus();
-    Result<std::unique_ptr<Laser>> openUsbLaser(const std::string& serial, const std::stop_token& stop);
+    Result<std::unique_ptr<Laser>> openUsbLaser(const DeviceAddress& address, const std::stop_token& stop);
+    Result<std::vector<UsbDevice>> lasersOf(const DeviceAddress& address);
     Result<UsbDevice> findUsb(const DeviceAddress& address);
     Result<std::unique_ptr<Transport>> openLink(const DeviceAddress& address, const std::stop_token& stop);
     Result<std::unique_ptr<Transport>> openUsb(const DeviceAddress& address);
@@ -65,14 +58,11 @@ private:
     std::mutex mutex_;
     std::shared_ptr<UsbBus> bus_;
     std::function<void()> changed_;
-    int dialogues_ = 0;
+    std::map<std::string, std::string> lastPorts_;  ///< by the number of a laser: where it was plugged in
 };
 
-/// How a tilt unit is mounted where its address does not say otherwise: its middle looks level, it may go from straight
-/// down over level to straight up behind, at 120° a second at most.
+/// How a tilt unit is mounted and what it may do; where its address does not say otherwise its middle looks level, and
+/// its limits are those of device_address.h.
 TiltMounting mountingOf(const DeviceAddress& address);
-
-/// True for a USB device that is a laser, as far as USB can tell.
-bool isUsbLaser(const UsbDevice& device);
 
 }  // namespace planewright

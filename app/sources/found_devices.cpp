@@ -3,8 +3,11 @@
 
 #include "app/sources/found_devices.h"
 
+#include <array>
+#include <string_view>
+
+#include "app/sources/device_permission.h"
 #include "devices/transport/serial_ports.h"
-#include "devices/transport/usb_error.h"
 
 namespace planewright {
 
@@ -15,46 +18,76 @@ std::string joined(const std::string& first, const std::string& second)
     return first + (first.empty() || second.empty() ? "" : " ") + second;
 }
 
-/// Empty where a device may be opened.
-std::string problemOf(const UsbDevice& device)
+/// A device at USB, before anybody has asked it.
+FoundDevice foundOn(const UsbDevice& device, FoundDevice::Kind kind, const std::string& address)
 {
-    switch (device.access) {
-        case UsbAccess::Openable:
-            break;
-        case UsbAccess::Denied:
-            return "you may not use it yet; once, run: " + usbPermissionCommand();
-        case UsbAccess::Busy:
-            return "another program uses it; close that one";
-    }
-    return {};
-}
-
-FoundDevice laserOn(const UsbDevice& device, DeviceOpener& opener, bool asks, const std::stop_token& stop)
-{
-    FoundDevice found{FoundDevice::Kind::Laser, "usb:", joined(device.manufacturer, device.productName),
-                      problemOf(device)};
+    FoundDevice found;
+    found.kind = kind;
+    found.address = address;
+    found.name = joined(device.manufacturer, device.productName);
     found.name += (found.name.empty() ? "" : ", ") + device.name();
-    if (!asks || !found.problem.empty())
-        return found;
-    const auto laser = opener.openLaserOn(device, stop);
-    if (!laser) {
-        found.problem = laser.error().message;
-        return found;
+    found.port = device.port;
+    if (const auto hindrance = hindranceOf(device)) {
+        found.problem = hindrance->problem;
+        found.cure = hindrance->cure;
     }
-    const LaserIdentity& identity = (*laser)->identity();
-    found.address += identity.serial;
-    found.name =
-        identity.product + ", number " + identity.serial + ", firmware " + identity.firmware + ", " + device.name();
     return found;
 }
 
-FoundDevice otherOn(const UsbDevice& device)
+/// `name` stands behind usb: as long as its number is not known.
+FoundDevice laserOn(const UsbDevice& device, const std::string& name, const KnownLasers& known)
 {
-    const bool isAdapter = device.kind == UsbKind::Ftdi;
-    const std::string name = joined(device.manufacturer, device.productName);
-    return {isAdapter ? FoundDevice::Kind::ServoAdapter : FoundDevice::Kind::ControlBoard,
-            (isAdapter ? "dynamixel:usb:" : "board:usb:") + device.serial,
-            name + (name.empty() ? "" : ", ") + device.name(), problemOf(device)};
+    FoundDevice found = foundOn(device, FoundDevice::Kind::Laser, "usb:" + name);
+    if (const auto last = known.find(device.port); last != known.end()) {
+        found.address = "usb:" + last->second;
+        found.name += ", the last time number " + last->second;
+    }
+    return found;
+}
+
+void ask(const UsbDevice& device, DeviceAccess& access, const std::stop_token& stop, FoundDevice& found)
+{
+    const auto laser = access.openLaserOn(device, stop);
+    if (!laser) {
+        found.problem = laser.error().message;
+        return;
+    }
+    const LaserIdentity& identity = (*laser)->identity();
+    found.serial = identity.serial;
+    found.address = "usb:" + identity.serial;
+    found.name =
+        identity.product + ", number " + identity.serial + ", firmware " + identity.firmware + ", " + device.name();
+}
+
+struct Wanted {
+    DeviceAddress::Unit unit;
+    FoundDevice::Kind kind;
+    std::string_view word;
+};
+const std::array<Wanted, 3> kWanted{{{DeviceAddress::Unit::Laser, FoundDevice::Kind::Laser, ""},
+                                     {DeviceAddress::Unit::Dynamixel, FoundDevice::Kind::ServoAdapter, "dynamixel:"},
+                                     {DeviceAddress::Unit::Board, FoundDevice::Kind::ControlBoard, "board:"}}};
+
+/// Devices of one kind; of one alone no name is needed, where it has none of its own.
+void findOf(const Wanted& wanted, const std::vector<UsbDevice>& all, DeviceAccess& access, bool asks,
+            const KnownLasers& known, const std::stop_token& stop, FoundDevices& found)
+{
+    DeviceAddress any;
+    any.unit = wanted.unit;
+    const std::vector<UsbDevice> devices = usbDevicesOf(any, all);
+    const std::vector<std::string> names = usbNamesOf(devices);
+    for (std::size_t i = 0; i < devices.size() && !stop.stop_requested(); ++i) {
+        const bool needsNone = devices.size() == 1 && devices[i].serial.empty();
+        const std::string name = needsNone ? "" : names[i];
+        if (wanted.unit != DeviceAddress::Unit::Laser) {
+            found.devices.push_back(foundOn(devices[i], wanted.kind, std::string{wanted.word} + "usb:" + name));
+            continue;
+        }
+        // What USB calls the number of a laser is not the one that the laser goes by.
+        found.devices.push_back(laserOn(devices[i], devices.size() == 1 ? "" : "@" + devices[i].port, known));
+        if (asks && found.devices.back().problem.empty())
+            ask(devices[i], access, stop, found.devices.back());
+    }
 }
 
 }  // namespace
@@ -74,17 +107,40 @@ std::string nameOf(FoundDevice::Kind kind)
     return "serial port";
 }
 
-std::vector<FoundDevice> findDevices(DeviceOpener& opener, bool asks, const std::stop_token& stop)
+FoundDevices findDevices(DeviceAccess& access, bool asks, const KnownLasers& known, const std::stop_token& stop)
 {
-    std::vector<FoundDevice> found;
-    for (const UsbDevice& device : opener.usbDevices()) {
-        if (stop.stop_requested())
-            return found;
-        found.push_back(isUsbLaser(device) ? laserOn(device, opener, asks, stop) : otherOn(device));
+    FoundDevices found;
+    const auto devices = access.usbDevices();
+    if (!devices)
+        found.usbProblem = devices.error().message;
+    for (const Wanted& wanted : kWanted) {
+        if (devices)
+            findOf(wanted, *devices, access, asks, known, stop, found);
     }
-    for (const SerialPort& port : serialPorts())
-        found.push_back({FoundDevice::Kind::SerialPort, "serial:" + port.path, joined(port.vendor, port.product), {}});
+    for (const SerialPort& port : serialPorts()) {
+        FoundDevice device;
+        device.kind = FoundDevice::Kind::SerialPort;
+        device.address = "serial:" + port.path;
+        device.name = joined(port.vendor, port.product);
+        if (const auto hindrance = hindranceOf(port.path)) {
+            device.problem = hindrance->problem;
+            device.cure = hindrance->cure;
+        }
+        found.devices.push_back(std::move(device));
+    }
     return found;
+}
+
+KnownLasers withAsked(KnownLasers known, const FoundDevices& found)
+{
+    for (const FoundDevice& device : found.devices) {
+        if (device.serial.empty())
+            continue;
+        // A laser is at one port at a time.
+        std::erase_if(known, [&](const auto& at) { return at.second == device.serial; });
+        known[device.port] = device.serial;
+    }
+    return known;
 }
 
 }  // namespace planewright

@@ -41,9 +41,20 @@ Result<OpenedSource> openLaserOnTiltUnit(const DeviceAddress& laser, const Noddi
             ErrorCode::Usage,
             "'" + setup.tiltUnit + "': this is the address of a laser; a tilt unit's begins with dynamixel: or board:");
     const auto opener = std::make_shared<DeviceOpener>(clock, DeviceOptions{setup.dialogueFolder, setup.progress});
-    NoddingDevices devices{
-        [opener, laser](const std::stop_token& asked) { return opener->openLaser(laser, asked); },
-        [opener, unit = *unit](const std::stop_token& asked) { return opener->openTiltUnit(unit, asked); }};
+    const auto scanner = std::make_shared<KnownScanner>();
+    NoddingDevices devices;
+    devices.openLaser = [opener, laser, scanner](const std::stop_token& asked) {
+        auto opened = opener->openLaser(laser, asked);
+        if (opened)
+            scanner->laser = (*opened)->limits();
+        return opened;
+    };
+    devices.openTiltUnit = [opener, unit = *unit, scanner](const std::stop_token& asked) {
+        auto opened = opener->openTiltUnit(unit, asked);
+        if (opened)
+            note(**opened, *scanner);
+        return opened;
+    };
     Result<std::unique_ptr<NoddingSource>> source = NoddingSource::open(std::move(devices), setup.plan, clock, stop);
     // Of a device that is gone before the scan nothing was lost.
     if (!source && source.error().code == ErrorCode::DeviceLost)
@@ -51,6 +62,8 @@ Result<OpenedSource> openLaserOnTiltUnit(const DeviceAddress& laser, const Noddi
     if (!source)
         return tl::unexpected{source.error()};
     OpenedSource opened;
+    opened.plan = (*source)->fittedPlan();
+    opened.scanner = *scanner;
     opened.source = std::move(*source);
     return opened;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/sources/known_scanner.h"
 #include "core/formats/parameter_events.h"
 #include "core/formats/pwscan_project.h"
 #include "core/formats/recording_pwscan.h"
@@ -23,6 +24,8 @@ namespace planewright {
 /// A source that is ready, with what its file holds beside the slices.
 struct OpenedSource {
     std::shared_ptr<ScanSource> source;
+    std::optional<FittedPlan> plan;          ///< of devices: what the scan is going to take
+    std::optional<KnownScanner> scanner;     ///< of devices: what they said of themselves when they were opened
     std::vector<std::string> warnings;       ///< one line each
     std::vector<ParametersFrom> parameters;  ///< what a recording was extracted with; empty where it does not say
     std::optional<PwscanProject> project;    ///< of a `.pwscan`: where edits go

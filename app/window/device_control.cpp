@@ -3,34 +3,43 @@
 
 #include "app/window/device_control.h"
 
-#include <utility>
+#include <cmath>
 
-#include "app/sources/device_checks.h"
+#include <QEvent>
+#include <QLabel>
+
+#include "app/sources/scan_size.h"
+#include "app/window/device_settings.h"
 #include "ui/panels/device_form.h"
 
 namespace planewright {
 
 namespace {
 
-constexpr int kAfterPlugging = 500;  // [ms]
+constexpr int kLookEvery = 500;      // [ms]
+constexpr int kNarrowestLine = 120;  // [px]
 
 NoddingSetup noddingOf(const DeviceSetup& setup, const AcquisitionSettings& settings)
 {
     NoddingSetup nodding;
-    nodding.tiltUnit = setup.tiltUnit;
+    nodding.tiltUnit = tiltUnitAddress(setup);
+    nodding.dialogueFolder = setup.dialogueFolder;
     nodding.plan.mode = setup.stepAndStare ? ScanPlan::Mode::StepAndStare : ScanPlan::Mode::Continuous;
     nodding.plan.firstPitch = settings.firstTilt;
     nodding.plan.pitchStep = settings.tiltStep;
     nodding.plan.slices = settings.slices;
     nodding.plan.firstBearing = degrees(setup.firstBearing);
     nodding.plan.lastBearing = degrees(setup.lastBearing);
+    nodding.plan.pitchAxisOffset = setup.axisOffset;
+    nodding.plan.settle = std::chrono::milliseconds{std::lround(setup.settle)};
+    nodding.plan.travelSpeed = degrees(setup.travelSpeed);
     return nodding;
 }
 
 DeviceChoice choiceOf(const FoundDevice& device)
 {
     const bool isPort = device.kind == FoundDevice::Kind::SerialPort;
-    DeviceChoice choice{device.address, device.name, device.problem, false, false};
+    DeviceChoice choice{device.address, device.name, device.problem, false, false, device.cure};
     choice.isLaser = device.kind == FoundDevice::Kind::Laser || isPort;
     choice.isTiltUnit = device.kind != FoundDevice::Kind::Laser;
     if (choice.name.empty())
@@ -41,55 +50,95 @@ DeviceChoice choiceOf(const FoundDevice& device)
 }  // namespace
 
 DeviceControl::DeviceControl(WindowParts& parts, ScanControl& scan)
-    : QObject(&parts), parts_(parts), scan_(scan), opener_(std::make_shared<DeviceOpener>(steadyClock()))
+    : QObject(&parts),
+      parts_(parts),
+      scan_(scan),
+      opener_(std::make_shared<DeviceOpener>(steadyClock())),
+      search_([opener = opener_](bool asks, const KnownLasers& known, const std::stop_token& stop) {
+          return findDevices(*opener, asks, known, stop);
+      })
 {
-    plugged_.setSingleShot(true);
-    plugged_.setInterval(kAfterPlugging);
-    connect(&plugged_, &QTimer::timeout, this, [this] { search(false); });
     opener_->onUsbChange([this] {
         QMetaObject::invokeMethod(
-            this, [this] { plugged_.start(); }, Qt::QueuedConnection);
+            this, [this] { search_.noteChange(); }, Qt::QueuedConnection);
     });
-    SourcePanel& panel = *parts_.sourcePanel;
-    connect(&panel, &SourcePanel::devicesShown, this, [this] { search(false); });
-    connect(&panel, &SourcePanel::devicesRequested, this, &DeviceControl::connectDevices);
-    connect(&panel.devices(), &DeviceForm::searchRequested, this, [this] { search(true); });
-    connect(&panel.devices(), &DeviceForm::testRequested, this, &DeviceControl::test);
-    connect(&parts_.session, &ScanSession::stateChanged, this, [this] {
-        parts_.sourcePanel->devices().setTestable(isIdle());
-        showFacts();
-    });
-    connect(&parts_.session, &ScanSession::statusChanged, this, &DeviceControl::showFacts);
+    parts_.sourcePanel->devices().setSetup(loadDeviceSetup(parts_.settings));
+    search_.setKnown(loadKnownLasers(parts_.settings));
+    connectForm();
+    connectTrials();
+    parts_.sourcePanel->setDeviceEstimate([this](const DeviceSetup& setup) { return estimate(setup); });
+    connect(&search_, &DeviceSearch::begun, this, &DeviceControl::refresh);
+    connect(&search_, &DeviceSearch::found, this, &DeviceControl::show);
+    connect(&parts_.session, &ScanSession::stateChanged, this, &DeviceControl::refresh);
+    connectHealth();
 }
 
 DeviceControl::~DeviceControl()
 {
-    stop_.request_stop();
+    saveDeviceSetup(parts_.sourcePanel->devices().setup(), parts_.settings);
+    parts_.sourcePanel->setDeviceEstimate({});
+}
+
+void DeviceControl::connectForm()
+{
+    SourcePanel& panel = *parts_.sourcePanel;
+    connect(&panel, &SourcePanel::devicesShown, this, [this] { search(false); });
+    connect(&panel, &SourcePanel::devicesRequested, this, &DeviceControl::connectDevices);
+    connect(&parts_.window->welcome(), &WelcomePage::connectRequested, &parts_, &WindowParts::showDevices);
+    connect(&panel.devices(), &DeviceForm::searchRequested, this, [this] { search(true); });
+    connect(&panel.devices(), &DeviceForm::testRequested, this, &DeviceControl::test);
+    connect(&panel.devices(), &DeviceForm::homeRequested, this, &DeviceControl::home);
+}
+
+void DeviceControl::connectTrials()
+{
+    connect(parts_.window->actions()[QStringLiteral("actStopMotion")], &QAction::triggered, &trials_,
+            &DeviceTrials::stopMotion);
+    connect(&trials_, &DeviceTrials::busyChanged, this, [this] {
+        search_.setHeld(trials_.isBusy());
+        refresh();
+    });
+    connect(&trials_, &DeviceTrials::checksChanged, &parts_.sourcePanel->devices(), &DeviceForm::setChecks);
+    connect(&trials_, &DeviceTrials::failed, this, [this](const Error& error) {
+        parts_.log(LogSeverity::Error, tr("devices"), QString::fromStdString(error.message));
+    });
 }
 
 /// A laser that is open can neither be asked nor tested.
 bool DeviceControl::isIdle() const
 {
-    return !work_.isBusy() && parts_.session.health().empty();
+    return !search_.isBusy() && !trials_.isBusy() && parts_.session.health().empty();
+}
+
+Result<std::string> DeviceControl::estimate(const DeviceSetup& setup) const
+{
+    const Result<AcquisitionSettings> settings = acquisitionWith(setup);
+    const bool areTheSame = scanner_ && setup.laser == connected_.laser &&
+                            tiltUnitAddress(setup) == tiltUnitAddress(connected_);
+    if (!settings || !areTheSame)
+        return std::string{};
+    const ScanPlan plan = noddingOf(setup, *settings).plan;
+    return fitPlanTo(*scanner_, plan).map([&](const FittedPlan& fitted) { return scanSizeText(fitted, plan.slices); });
+}
+
+void DeviceControl::refresh()
+{
+    if (parts_.session.scanner())
+        scanner_ = parts_.session.scanner();
+    parts_.sourcePanel->devices().setTestable(isIdle());
+    showFacts();
 }
 
 void DeviceControl::search(bool asks)
 {
-    if (work_.isBusy())
-        return;
-    work_.start<std::vector<FoundDevice>>([opener = opener_, asks = asks && isIdle(),
-                                           stop = stop_.get_token()] { return findDevices(*opener, asks, stop); },
-                                          [this](std::vector<FoundDevice>& found) {
-                                              show(found);
-                                              parts_.sourcePanel->devices().setTestable(isIdle());
-                                          });
-    parts_.sourcePanel->devices().setTestable(false);
+    search_.start(asks && parts_.session.health().empty());
 }
 
-void DeviceControl::show(const std::vector<FoundDevice>& found)
+void DeviceControl::show(const FoundDevices& found)
 {
+    saveKnownLasers(search_.known(), parts_.settings);
     std::vector<DeviceChoice> choices;
-    for (const FoundDevice& device : found) {
+    for (const FoundDevice& device : found.devices) {
         DeviceChoice choice = choiceOf(device);
         if (device.kind == FoundDevice::Kind::SerialPort) {
             // The same port may have any of the three behind it.
@@ -105,44 +154,24 @@ void DeviceControl::show(const std::vector<FoundDevice>& found)
         }
         choices.push_back(std::move(choice));
     }
-    parts_.sourcePanel->devices().setChoices(choices);
+    DeviceForm& form = parts_.sourcePanel->devices();
+    form.setSearchProblem(QString::fromStdString(found.usbProblem));
+    form.setChoices(choices);
+    refresh();
 }
 
 void DeviceControl::test()
 {
     const DeviceSetup setup = parts_.sourcePanel->devices().setup();
     const Result<AcquisitionSettings> settings = acquisitionWith(setup);
-    if (!settings || work_.isBusy())
-        return;
-    checks_.clear();
-    for (const std::string_view check : kDeviceChecks)
-        checks_.push_back({std::string(check), DeviceCheck::State::Waiting, {}});
-    parts_.sourcePanel->devices().setChecks(checks_);
-    const NoddingSetup nodding = noddingOf(setup, *settings);
-    work_.start<bool>(
-        [this, laser = setup.laser, nodding, stop = stop_.get_token()] {
-            const auto progress = [this](std::size_t check, const std::optional<Result<std::string>>& result) {
-                QMetaObject::invokeMethod(
-                    this, [this, check, result] { takeCheck(check, result); }, Qt::QueuedConnection);
-            };
-            checkDevices(laser, nodding, steadyClock(), progress, stop);
-            return true;
-        },
-        [this](bool& /*done*/) { parts_.sourcePanel->devices().setTestable(isIdle()); });
-    parts_.sourcePanel->devices().setTestable(false);
+    if (settings && isIdle())
+        trials_.test(setup.laser, noddingOf(setup, *settings));
 }
 
-void DeviceControl::takeCheck(std::size_t check, const std::optional<Result<std::string>>& result)
+void DeviceControl::home()
 {
-    DeviceCheck& row = checks_.at(check);
-    row.state = !result   ? DeviceCheck::State::Running
-                : *result ? DeviceCheck::State::Passed
-                          : DeviceCheck::State::Failed;
-    if (result)
-        row.detail = *result ? **result : result->error().message;
-    parts_.sourcePanel->devices().setChecks(checks_);
-    if (result && !*result)
-        parts_.log(LogSeverity::Error, tr("devices"), QString::fromStdString(row.detail));
+    if (isIdle())
+        trials_.home(tiltUnitAddress(parts_.sourcePanel->devices().setup()));
 }
 
 void DeviceControl::connectDevices(const DeviceSetup& setup)
@@ -152,22 +181,62 @@ void DeviceControl::connectDevices(const DeviceSetup& setup)
         parts_.problem(tr("devices"), settings.error());
         return;
     }
+    saveDeviceSetup(setup, parts_.settings);
     NoddingSetup nodding = noddingOf(setup, *settings);
     // The session, which waits for whom it opens, is one of the parts: they are there as long as anybody calls this.
     nodding.progress = [&parts = parts_](const std::string& line) {
         QMetaObject::invokeMethod(
             &parts, [&parts, line] { parts.say(QString::fromStdString(line)); }, Qt::QueuedConnection);
     };
+    connected_ = setup;
+    scanner_.reset();
     parts_.session.setNodding(nodding);
     scan_.open(QString::fromStdString(setup.laser));
 }
 
+void DeviceControl::connectHealth()
+{
+    auto* line = parts_.window->findChild<QLabel*>(QStringLiteral("stHealth"));
+    line->setCursor(Qt::PointingHandCursor);
+    line->setMinimumWidth(kNarrowestLine);  // a long trouble must not make the window wider
+    line->installEventFilter(this);
+    healthTimer_.setInterval(kLookEvery);
+    connect(&healthTimer_, &QTimer::timeout, this, &DeviceControl::showFacts);
+    healthTimer_.start();
+    connect(&parts_.session, &ScanSession::statusChanged, this, &DeviceControl::showFacts);
+    showFacts();
+}
+
+bool DeviceControl::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::MouseButtonRelease)
+        parts_.showDevices();
+    return QObject::eventFilter(watched, event);
+}
+
 void DeviceControl::showFacts()
 {
+    const std::vector<HealthFact> health = parts_.session.health();
     std::vector<DeviceFact> facts;
-    for (const HealthFact& fact : parts_.session.health())
+    for (const HealthFact& fact : health)
         facts.push_back({fact.name, fact.value, fact.isTrouble});
     parts_.sourcePanel->devices().setFacts(facts);
+    showLine(health);
+}
+
+/// Always in sight while devices are connected.
+void DeviceControl::showLine(const std::vector<HealthFact>& health)
+{
+    QStringList line;
+    bool warns = false;
+    for (const HealthFact& fact : health) {
+        warns = warns || fact.isTrouble;
+        if (!fact.brief.empty())
+            line += QString::fromStdString(fact.brief);
+    }
+    const QString text = line.join(QStringLiteral(", "));
+    parts_.window->setStatus(QStringLiteral("stHealth"), text, tr("%1\nA click shows more.").arg(text), warns);
+    parts_.window->findChild<QLabel*>(QStringLiteral("stHealth"))->setVisible(!line.isEmpty());
 }
 
 }  // namespace planewright

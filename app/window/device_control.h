@@ -4,14 +4,14 @@
 #pragma once
 
 #include <memory>
-#include <stop_token>
-#include <vector>
+#include <optional>
 
 #include <QObject>
 #include <QTimer>
 
 #include "app/sources/device_opener.h"
-#include "app/sources/found_devices.h"
+#include "app/window/device_search.h"
+#include "app/window/device_trials.h"
 #include "app/window/scan_control.h"
 #include "app/window/window_parts.h"
 
@@ -23,26 +23,36 @@ class DeviceControl : public QObject {
 
 public:
     DeviceControl(WindowParts& parts, ScanControl& scan);
-    /// Ends a search or a test, and waits for it.
+    /// Ends what runs, and keeps what is set up.
     ~DeviceControl() override;
 
+    /// A click on the line about the devices shows their form.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
-    /// Looks for what is connected; with `asks` lasers are opened and asked who they are.
+    void connectForm();
+    void connectHealth();
+    void showLine(const std::vector<HealthFact>& health);
+    void connectTrials();
     void search(bool asks);
-    void show(const std::vector<FoundDevice>& found);
+    void show(const FoundDevices& found);
     void test();
-    void takeCheck(std::size_t check, const std::optional<Result<std::string>>& result);
+    void home();
     void connectDevices(const DeviceSetup& setup);
+    /// What a scan takes with the devices that were connected last; empty for others.
+    Result<std::string> estimate(const DeviceSetup& setup) const;
     void showFacts();
+    void refresh();
     bool isIdle() const;
 
     WindowParts& parts_;
     ScanControl& scan_;
     std::shared_ptr<DeviceOpener> opener_;
-    QTimer plugged_;  ///< what is plugged in comes in bursts: one search for all of it
-    std::vector<DeviceCheck> checks_;
-    std::stop_source stop_;
-    BackgroundWork work_;  ///< last, so that it ends first
+    DeviceSearch search_;
+    DeviceTrials trials_;
+    DeviceSetup connected_;  ///< what was asked for the last time
+    std::optional<KnownScanner> scanner_;
+    QTimer healthTimer_;  ///< devices are looked at while nothing else changes, too
 };
 
 }  // namespace planewright

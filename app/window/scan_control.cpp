@@ -300,10 +300,12 @@ void ScanControl::refreshOverlay()
             tr("segments %1").arg(grouped.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
             tr("planes %1").arg(static_cast<int>(map.planes.size()))};
     }
-    if (state == SessionState::Ready && !map.snapshot)
-        content.hint = tr("Press F5 to scan %1 steps, about %2 s.")
-                           .arg(status.plannedSteps)
-                           .arg(status.plannedSteps * 0.025, 0, 'f', 1);
+    if (state == SessionState::Ready && !map.snapshot) {
+        constexpr double kTurnOfTheMirror = 0.025;  // [s]
+        const double seconds =
+            status.plannedTime.count() > 0.0 ? status.plannedTime.count() : status.plannedSteps * kTurnOfTheMirror;
+        content.hint = tr("Press F5 to scan %1 steps, about %2 s.").arg(status.plannedSteps).arg(seconds, 0, 'f', 1);
+    }
     parts_.window->view().setOverlay(content);
 }
 

@@ -106,6 +106,13 @@ void WindowParts::showParameter(std::string_view key)
     parametersPanel->showParameter(key);
 }
 
+void WindowParts::showDevices()
+{
+    window->findChild<QDockWidget*>(QStringLiteral("dockSetup"))->show();
+    setupTabs_->setCurrentWidget(sourcePanel);
+    sourcePanel->showDevices();
+}
+
 void WindowParts::showMap()
 {
     worker.show({session.map(), edits.inForce(), session.description(), session.parameters()});

@@ -52,6 +52,8 @@ public:
 
     /// Lets the user see and change a parameter.
     void showParameter(std::string_view key);
+    /// Lets the user see the form of laser and tilt unit.
+    void showDevices();
 
     /// Asks for the session's map with the edits in force.
     void showMap();

@@ -15,10 +15,10 @@ std::string fixed(double number, int digits)
     return {text, std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, digits).ptr};
 }
 
-std::string count(std::uint64_t good, std::uint64_t lost, std::uint64_t corrupt, std::uint64_t late)
+std::string losses(const LinkHealth& link)
 {
-    return std::to_string(good) + ", lost " + std::to_string(lost) + ", corrupt " + std::to_string(corrupt) +
-           ", late " + std::to_string(late);
+    return "lost " + std::to_string(link.lost) + ", corrupt " + std::to_string(link.corrupt) + ", late " +
+           std::to_string(link.late);
 }
 
 /// One damaged in a hundred is a cable's fault.
@@ -34,19 +34,25 @@ std::vector<HealthFact> factsOf(const NoddingHealth& health)
     std::vector<HealthFact> facts;
     for (const std::string& trouble : {health.laser.trouble, health.tilt.trouble, health.motor.trouble}) {
         if (!trouble.empty())
-            facts.push_back({"", trouble, true});
+            facts.push_back({"", trouble, true, "▲ " + trouble});
     }
-    const auto addLink = [&](const std::string& name, const std::string& what, const LinkHealth& link) {
-        facts.push_back({name, fixed(link.rate, 1) + " " + what + "/s", false});
-        facts.push_back({what, count(link.good, link.lost, link.corrupt, link.late), isBad(link)});
+    const auto addLink = [&](const std::string& name, const std::string& what, const LinkHealth& link, bool isBrief) {
+        const std::string rate = fixed(link.rate, 1) + " " + what + "/s";
+        facts.push_back({name, rate, false, isBrief ? rate : ""});
+        facts.push_back({what, std::to_string(link.good) + ", " + losses(link), isBad(link),
+                         isBrief       ? losses(link)
+                         : isBad(link) ? what + " " + losses(link)
+                                       : ""});
     };
-    addLink("Laser", "scans", health.laser);
-    addLink("Tilt unit", "angles", health.tilt);
-    facts.push_back({"Load", fixed(100.0 * health.motor.load, 0) + " %", false});
+    addLink("Laser", "scans", health.laser, true);
+    addLink("Tilt unit", "angles", health.tilt, false);
+    const std::string load = fixed(100.0 * health.motor.load, 0) + " %";
+    facts.push_back({"Load", load, false, "load " + load});
     if (health.motor.voltage > 0.0)
         facts.push_back({"Supply", fixed(health.motor.voltage, 1) + " V", false});
     if (health.motor.temperature)
-        facts.push_back({"Temperature", fixed(*health.motor.temperature, 0) + " °C", false});
+        facts.push_back({"Temperature", fixed(*health.motor.temperature, 0) + " °C", false,
+                         fixed(*health.motor.temperature, 0) + " °C"});
     const std::chrono::duration<double, std::milli> skew = health.largestSkew;
     facts.push_back({"Largest skew", fixed(skew.count(), 1) + " ms", false});
     return facts;

@@ -20,7 +20,8 @@ struct NoddingHealth {
     std::chrono::nanoseconds largestSkew{0};  ///< farthest in time of an angle from a beam that it was used for
 };
 
-/// The same in words: rates, what was lost, corrupt or late, load, voltage and temperature, and troubles in front.
+/// The same in words, those that a single line shows among them: rates, what was lost, corrupt or late, load, voltage
+/// and temperature, and troubles in front.
 std::vector<HealthFact> factsOf(const NoddingHealth& health);
 
 }  // namespace planewright

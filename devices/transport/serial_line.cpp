@@ -84,6 +84,11 @@ Result<std::unique_ptr<Transport>> openSerialLine(const std::string& path, int b
     return DescriptorLink::open(std::move(line), path, serialEndText, clock);
 }
 
+std::string serialPermissionCommand(const std::string& path)
+{
+    return "sudo usermod -aG " + groupOf(path) + " \"$USER\"";
+}
+
 std::string serialTroubleText(int error, const std::string& path)
 {
     switch (error) {
@@ -93,8 +98,8 @@ std::string serialTroubleText(int error, const std::string& path)
             return "there is no such port; plug the device in, and see 'planewright-cli devices' for what is there";
         case EACCES:
         case EPERM:
-            return "you have no right to open it; run 'sudo usermod -aG " + groupOf(path) +
-                   " \"$USER\"' and log in again, or install the rule for udev: " + usbPermissionCommand();
+            return "you have no right to open it; run '" + serialPermissionCommand(path) +
+                   "' and log in again, or install the rule for udev: " + usbPermissionCommand();
         case EBUSY:
             return kBusy;
         case ENOTTY:

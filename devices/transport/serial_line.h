@@ -19,6 +19,9 @@ namespace planewright {
 /// program, no serial port, a speed that it cannot have.
 Result<std::unique_ptr<Transport>> openSerialLine(const std::string& path, int baud, const Clock& clock);
 
+/// The shell command that lets this user open a serial port, after the next login: adds him to the port's group.
+std::string serialPermissionCommand(const std::string& path);
+
 /// Why a serial port cannot be opened, and what to do; without the path in front. `error` is the system's number.
 std::string serialTroubleText(int error, const std::string& path);
 

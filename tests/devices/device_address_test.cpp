@@ -19,6 +19,9 @@ private slots:
     void optionsHaveDefaults();
     void aServoHasANumberAndASpeed();
     void howATiltUnitIsMountedIsSaid();
+    void aTiltUnitHasLimits();
+    void whatHasNoNumberIsNamedByItsPlug_data();
+    void whatHasNoNumberIsNamedByItsPlug();
     void aDialogueHasAPace();
     void otherTextsAreNoDevices_data();
     void otherTextsAreNoDevices();
@@ -124,6 +127,48 @@ void DeviceAddressTest::howATiltUnitIsMountedIsSaid()
     QVERIFY(parseDeviceAddress("dynamixel:usb:?zero=-12")->zeroPitch.value() < 0.0);
 }
 
+void DeviceAddressTest::aTiltUnitHasLimits()
+{
+    const auto limited = parseDeviceAddress("dynamixel:usb:?lowest=-20&highest=110.5&fastest=45");
+    const auto free = parseDeviceAddress("dynamixel:usb:");
+
+    QVERIFY2(limited, limited ? "" : limited.error().message.c_str());
+    QCOMPARE(limited->lowest.value(), -20.0 / 180.0 * std::numbers::pi);
+    QCOMPARE(limited->highest.value(), 110.5 / 180.0 * std::numbers::pi);
+    QCOMPARE(limited->fastest.value(), 0.25 * std::numbers::pi);
+    QVERIFY(!free->lowest && !free->highest && !free->fastest);
+}
+
+void DeviceAddressTest::whatHasNoNumberIsNamedByItsPlug_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("plug");
+    const auto row = [](const char* text, const char* name, const char* plug) {
+        QTest::newRow(text) << QByteArray(text) << QByteArray(name) << QByteArray(plug);
+    };
+    row("usb:@1-4", "", "1-4");
+    row("usb:00903971@1-4", "00903971", "1-4");
+    row("dynamixel:usb:@2-1.4.3?id=2", "", "2-1.4.3");
+    row("dynamixel:usb:FT1@lab@1-12", "FT1@lab", "1-12");
+    row("board:usb:FT1@lab", "FT1@lab", "");
+    row("board:usb:FT1@1-", "FT1@1-", "");
+    row("board:usb:FT1@1-4..2", "FT1@1-4..2", "");
+}
+
+void DeviceAddressTest::whatHasNoNumberIsNamedByItsPlug()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, name);
+    QFETCH(QByteArray, plug);
+
+    const auto address = parseDeviceAddress(text.toStdString());
+
+    QVERIFY2(address, address ? "" : address.error().message.c_str());
+    QCOMPARE(address->name, name.toStdString());
+    QCOMPARE(address->usbPort, plug.toStdString());
+}
+
 void DeviceAddressTest::aDialogueHasAPace()
 {
     QVERIFY(!parseDeviceAddress("dialogue:a.txt?speed=0")->isInTime);
@@ -197,6 +242,14 @@ void DeviceAddressTest::whatIsWrongIsNamed_data()
     row("board:usb:?sign=1", "sign '1' is not + or -");
     row("board:usb:?scale=0", "scale '0' is not a number from 0.01 to 100");
     row("board:usb:?scale=inf", "scale 'inf' is not");
+    row("board:usb:?lowest=down", "lowest 'down' is not a number of degrees from -360 to 360");
+    row("board:usb:?highest=360.1", "highest '360.1' is not");
+    row("board:usb:?lowest=90&highest=90", "lowest is not below highest");
+    row("board:usb:?highest=-1", "lowest is not below highest");  // lowest is 0 where nobody says otherwise
+    row("board:usb:?fastest=0", "fastest '0' is not a number of degrees a second from 1 to 720");
+    row("usb:?lowest=1", "no option 'lowest'; such an address has none");
+    row("usb:@", "'' is no place where something is plugged in; give usb:@1-4 or, behind a hub, usb:@1-4.2");
+    row("dynamixel:usb:@left", "'left' is no place");
     row("dialogue:a?speed=2", "speed '2' is not 0, as fast as possible, or 1, real time");
     row("dialogue:a?zero=1", "no option 'zero'; known: speed");
 }

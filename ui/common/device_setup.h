@@ -18,9 +18,20 @@ struct DeviceSetup {
     double tiltStep = 1.16;   ///< [degrees]
     double firstBearing = 0.0;
     double lastBearing = 180.0;
+    double settle = 8.0;           ///< rest before a slice of Step and stare [ms]
+    double travelSpeed = 90.0;     ///< between steps, and to where a scan begins [degrees/s]
+    double lowest = 0.0;           ///< soft limits of the tilt [degrees]
+    double highest = 180.0;        ///< [degrees]
+    double fastest = 120.0;        ///< speed limit of the tilt [degrees/s]
+    double axisOffset = 0.05;      ///< d_l, from the axis of the tilt to the laser's origin [m]
+    std::string dialogueFolder{};  ///< where the bytes of every dialogue with the devices are kept; empty: nowhere
 
     friend bool operator==(const DeviceSetup&, const DeviceSetup&) = default;
 };
+
+/// The address of the tilt unit with the limits that differ from what an address means without them. What the address
+/// says itself stays.
+std::string tiltUnitAddress(const DeviceSetup& setup);
 
 /// Something that is connected, to be chosen.
 struct DeviceChoice {
@@ -29,6 +40,7 @@ struct DeviceChoice {
     std::string problem;      ///< empty, or why it cannot be used and what to do
     bool isLaser = false;     ///< may be one
     bool isTiltUnit = false;  ///< may be one
+    std::string cure{};       ///< the shell command that cures the problem; empty where none does
 };
 
 /// A check of the devices: what it asks, and how it went.

@@ -5,14 +5,17 @@
 
 #include <algorithm>
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/panels/device_details.h"
 #include "ui/panels/plain_fields.h"
 #include "ui/panels/problem_label.h"
 
@@ -30,7 +33,7 @@ QString lineOf(const DeviceCheck& check)
         case DeviceCheck::State::Waiting:
             return QStringLiteral("○ ") + name;
         case DeviceCheck::State::Running:
-            return QStringLiteral("◌ ") + name + QStringLiteral("…");
+            return QStringLiteral("◌ ") + name + (detail.isEmpty() ? QStringLiteral("…") : tail);
         case DeviceCheck::State::Passed:
             return QStringLiteral("✔ ") + name + tail;
         case DeviceCheck::State::Failed:
@@ -56,9 +59,14 @@ QLabel* textLabel(const QString& name, const QString& accessible, QWidget* paren
 DeviceForm::DeviceForm(QWidget* parent)
     : QWidget(parent),
       trouble_(new ProblemLabel(this)),
+      copyCure_(new QPushButton(tr("&Copy the command"), this)),
       mode_(new QuietComboBox(this)),
       search_(new QPushButton(tr("&Find devices"), this)),
       test_(new QPushButton(tr("&Test"), this)),
+      home_(new QPushButton(tr("Move to &level"), this)),
+      recovery_(new QWidget(this)),
+      recover_(new QPushButton(tr("&Release the tilt unit"), recovery_)),
+      details_(new DeviceDetails(this)),
       checks_(textLabel(QStringLiteral("deviceChecks"), tr("Checks of the devices"), this)),
       facts_(textLabel(QStringLiteral("deviceFacts"), tr("Health of the devices"), this))
 {
@@ -67,10 +75,14 @@ DeviceForm::DeviceForm(QWidget* parent)
     auto* form = new QFormLayout;
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     layout->addLayout(form);
-    laser_ = addAddress(form, tr("&Laser"), QStringLiteral("laser"), tr("usb:  or  tcp:192.168.0.10:10940"));
+    laser_ = addAddress(form, tr("L&aser"), QStringLiteral("laser"), tr("usb:  or  tcp:192.168.0.10:10940"));
     unit_ = addAddress(form, tr("Tilt &unit"), QStringLiteral("tiltUnit"), tr("dynamixel:usb:  or  board:usb:"));
     trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     form->addRow(trouble_);
+    copyCure_->setObjectName(QStringLiteral("copyCure"));
+    copyCure_->setToolTip(tr("To be pasted into a terminal, once"));
+    copyCure_->hide();
+    form->addRow(copyCure_);
     mode_->setObjectName(QStringLiteral("scanMode"));
     mode_->setAccessibleName(tr("Motion"));
     mode_->addItems({tr("Sweep"), tr("Step and stare")});
@@ -78,35 +90,81 @@ DeviceForm::DeviceForm(QWidget* parent)
         tr("A sweep takes a slice with each turn of the mirror while the head moves on; or the head stands "
            "still for each slice"));
     form->addRow(tr("&Motion"), mode_);
-    firstTilt_ = addAngle(form, tr("Tilt from"), QStringLiteral("deviceFirstTilt"), -90.0, 270.0);
-    lastTilt_ = addAngle(form, tr("Tilt to"), QStringLiteral("deviceLastTilt"), -90.0, 270.0);
+    firstTilt_ = addAngle(form, tr("Tilt from"), QStringLiteral("deviceFirstTilt"), -360.0, 360.0);
+    lastTilt_ = addAngle(form, tr("Tilt to"), QStringLiteral("deviceLastTilt"), -360.0, 360.0);
     tiltStep_ = addAngle(form, tr("Tilt step"), QStringLiteral("deviceTiltStep"), -90.0, 90.0);
     firstBearing_ = addAngle(form, tr("Bearing from"), QStringLiteral("deviceFirstBearing"), -180.0, 360.0);
     lastBearing_ = addAngle(form, tr("Bearing to"), QStringLiteral("deviceLastBearing"), -180.0, 360.0);
     firstTilt_->setToolTip(tr("90° looks level, less looks down"));
     tiltStep_->setToolTip(tr("Steps of a servo with 1023 counts over 300° are multiples of 0.293°"));
-    auto* buttons = new QHBoxLayout;
-    search_->setObjectName(QStringLiteral("findDevices"));
-    search_->setToolTip(tr("Looks for what is connected, and asks lasers for their number"));
-    test_->setObjectName(QStringLiteral("testDevices"));
-    test_->setToolTip(tr("Opens both, takes a slice, and moves the head by 5° and back"));
-    buttons->addWidget(search_);
-    buttons->addWidget(test_);
-    layout->addLayout(buttons);
+    layout->addWidget(details_);
+    addButtons(layout);
+    addRecovery(layout);
     layout->addWidget(checks_);
     layout->addWidget(facts_);
     setSetup({});
     for (QComboBox* box : {laser_, unit_})
         connect(box, &QComboBox::editTextChanged, this, &DeviceForm::changed);
     connect(mode_, &QComboBox::currentIndexChanged, this, &DeviceForm::changed);
+    connect(details_, &DeviceDetails::changed, this, &DeviceForm::changed);
+    connect(this, &DeviceForm::changed, this, &DeviceForm::check);
+    setTestable(true);
+}
+
+void DeviceForm::addButtons(QVBoxLayout* layout)
+{
+    auto* buttons = new QHBoxLayout;
+    search_->setObjectName(QStringLiteral("findDevices"));
+    search_->setToolTip(tr("Looks for what is connected, and asks lasers for their number"));
+    test_->setObjectName(QStringLiteral("testDevices"));
+    test_->setToolTip(tr("Opens both, takes a slice, and moves the head by 5° and back"));
+    home_->setObjectName(QStringLiteral("homeDevices"));
+    home_->setToolTip(tr("Brings the head to level, slowly, and holds it there; Stop motion holds it at once"));
+    buttons->addWidget(search_);
+    buttons->addWidget(test_);
+    layout->addLayout(buttons);
+    layout->addWidget(home_);
     connect(search_, &QPushButton::clicked, this, &DeviceForm::searchRequested);
     connect(test_, &QPushButton::clicked, this, &DeviceForm::testRequested);
-    connect(this, &DeviceForm::changed, this, [this] {
-        test_->setEnabled(problem().isEmpty() && test_->property("testable").toBool());
-        const QString laserNote = noteOf(laser_);
-        trouble_->tell(laserNote.isEmpty() ? noteOf(unit_) : laserNote);
+    connect(home_, &QPushButton::clicked, this, &DeviceForm::homeRequested);
+    connect(copyCure_, &QPushButton::clicked, this, [this] {
+        const DeviceChoice* choice = troubled(laser_) != nullptr ? troubled(laser_) : troubled(unit_);
+        if (choice != nullptr)
+            QGuiApplication::clipboard()->setText(QString::fromStdString(choice->cure));
     });
-    setTestable(true);
+}
+
+/// What a person does before a unit that has turned itself off may move again.
+void DeviceForm::addRecovery(QVBoxLayout* layout)
+{
+    auto* steps = new QLabel(tr("<b>▲ The tilt unit waits for you.</b><br>1. Take away what blocks or pulls the "
+                                "head.<br>2. Let the motor cool, until you can touch it.<br>3. Keep your hands away, "
+                                "and release it: it then holds where it stands, and moves only when a test or a scan "
+                                "is started."),
+                             recovery_);
+    steps->setObjectName(QStringLiteral("recoverySteps"));
+    steps->setWordWrap(true);
+    recover_->setObjectName(QStringLiteral("recoverDevices"));
+    recover_->setToolTip(tr("Turns its torque on again where it stands; moves nothing"));
+    auto* lines = new QVBoxLayout(recovery_);
+    lines->setContentsMargins({});
+    lines->addWidget(steps);
+    lines->addWidget(recover_);
+    recovery_->hide();
+    layout->addWidget(recovery_);
+    connect(recover_, &QPushButton::clicked, this, &DeviceForm::recoverRequested);
+}
+
+void DeviceForm::check()
+{
+    const bool hasUnit = !unit_->currentText().trimmed().isEmpty();
+    test_->setEnabled(problem().isEmpty() && isTestable_);
+    home_->setEnabled(hasUnit && isTestable_);
+    recover_->setEnabled(hasUnit && isTestable_);
+    search_->setEnabled(isTestable_);
+    const DeviceChoice* choice = troubled(laser_) != nullptr ? troubled(laser_) : troubled(unit_);
+    trouble_->tell(choice != nullptr ? QString::fromStdString(choice->problem) : searchProblem_);
+    copyCure_->setVisible(choice != nullptr && !choice->cure.empty());
 }
 
 QComboBox* DeviceForm::addAddress(QFormLayout* form, const QString& label, const QString& name, const QString& hint)
@@ -141,14 +199,16 @@ QDoubleSpinBox* DeviceForm::addAngle(QFormLayout* form, const QString& label, co
 
 DeviceSetup DeviceForm::setup() const
 {
-    return {.laser = laser_->currentText().trimmed().toStdString(),
-            .tiltUnit = unit_->currentText().trimmed().toStdString(),
-            .stepAndStare = mode_->currentIndex() == 1,
-            .firstTilt = firstTilt_->value(),
-            .lastTilt = lastTilt_->value(),
-            .tiltStep = tiltStep_->value(),
-            .firstBearing = firstBearing_->value(),
-            .lastBearing = lastBearing_->value()};
+    DeviceSetup setup{.laser = laser_->currentText().trimmed().toStdString(),
+                      .tiltUnit = unit_->currentText().trimmed().toStdString(),
+                      .stepAndStare = mode_->currentIndex() == 1,
+                      .firstTilt = firstTilt_->value(),
+                      .lastTilt = lastTilt_->value(),
+                      .tiltStep = tiltStep_->value(),
+                      .firstBearing = firstBearing_->value(),
+                      .lastBearing = lastBearing_->value()};
+    details_->writeTo(setup);
+    return setup;
 }
 
 void DeviceForm::setSetup(const DeviceSetup& setup)
@@ -161,6 +221,7 @@ void DeviceForm::setSetup(const DeviceSetup& setup)
     tiltStep_->setValue(setup.tiltStep);
     firstBearing_->setValue(setup.firstBearing);
     lastBearing_->setValue(setup.lastBearing);
+    details_->setSetup(setup);
 }
 
 void DeviceForm::setChoices(const std::vector<DeviceChoice>& choices)
@@ -183,13 +244,13 @@ void DeviceForm::setChoices(const std::vector<DeviceChoice>& choices)
     emit changed();
 }
 
-/// Why what was chosen cannot be used, as far as is known.
-QString DeviceForm::noteOf(const QComboBox* box) const
+/// What was chosen, if it cannot be used, as far as is known.
+const DeviceChoice* DeviceForm::troubled(const QComboBox* box) const
 {
     const std::string address = box->currentText().trimmed().toStdString();
     const auto choice = std::find_if(choices_.begin(), choices_.end(),
                                      [&](const DeviceChoice& c) { return c.address == address && !c.problem.empty(); });
-    return choice == choices_.end() ? QString{} : QString::fromStdString(choice->problem);
+    return choice == choices_.end() ? nullptr : &*choice;
 }
 
 void DeviceForm::setChecks(const std::vector<DeviceCheck>& checks)
@@ -209,15 +270,39 @@ void DeviceForm::setFacts(const std::vector<DeviceFact>& facts)
                                                          QString::fromStdString(fact.value).toHtmlEscaped());
         lines += fact.isTrouble ? QStringLiteral("<b>▲ ") + line + QStringLiteral("</b>") : line;
     }
-    facts_->setText(lines.join(QStringLiteral("<br>")));
+    // What has not changed stays selected.
+    if (const QString text = lines.join(QStringLiteral("<br>")); text != facts_->text())
+        facts_->setText(text);
     facts_->setVisible(!lines.isEmpty());
 }
 
 void DeviceForm::setTestable(bool testable)
 {
-    test_->setProperty("testable", testable);
-    search_->setEnabled(testable);
+    isTestable_ = testable;
     emit changed();
+}
+
+void DeviceForm::setRecoverable(bool recoverable)
+{
+    recovery_->setVisible(recoverable);
+}
+
+void DeviceForm::setSearchProblem(const QString& problem)
+{
+    searchProblem_ = problem;
+    emit changed();
+}
+
+/// Limits that the address itself gives are looked at by whoever opens it.
+QString DeviceForm::limitProblem() const
+{
+    const DeviceSetup now = setup();
+    const bool saysItself =
+        now.tiltUnit.find("lowest=") != std::string::npos || now.tiltUnit.find("highest=") != std::string::npos;
+    const auto [low, high] = std::minmax(now.firstTilt, now.lastTilt);
+    if (saysItself || (low >= now.lowest && high <= now.highest))
+        return {};
+    return tr("Tilt: give angles from %1° to %2°, or wider limits below.").arg(now.lowest).arg(now.highest);
 }
 
 QString DeviceForm::problem() const
@@ -226,7 +311,8 @@ QString DeviceForm::problem() const
         return tr("Choose a laser, or type its address.");
     if (unit_->currentText().trimmed().isEmpty())
         return tr("Choose a tilt unit, or type its address.");
-    return {};
+    const QString details = details_->problem();
+    return details.isEmpty() ? limitProblem() : details;
 }
 
 }  // namespace planewright

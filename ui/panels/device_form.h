@@ -14,9 +14,11 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace planewright {
 
+class DeviceDetails;
 class ProblemLabel;
 
 /// A laser and a tilt unit: which ones, how they scan, whether they work, and how they are.
@@ -35,8 +37,12 @@ public:
     void setChecks(const std::vector<DeviceCheck>& checks);
     /// What the devices say of themselves; empty where they are not scanning.
     void setFacts(const std::vector<DeviceFact>& facts);
-    /// Nothing can be tested while they scan.
+    /// Nothing can be tested or moved while they scan, or while something else is done with them.
     void setTestable(bool testable);
+    /// The tilt unit has turned itself off, or was stopped in an emergency: a person sees to it and releases it.
+    void setRecoverable(bool recoverable);
+    /// What keeps all of a kind from being found; empty: nothing.
+    void setSearchProblem(const QString& problem);
 
     /// What is missing or wrong in what was chosen; empty where nothing is.
     QString problem() const;
@@ -46,17 +52,28 @@ signals:
     /// What is connected is to be looked for, and asked who it is.
     void searchRequested();
     void testRequested();
+    /// The head is to go to level.
+    void homeRequested();
+    /// The cause is seen to: the tilt unit is to be released.
+    void recoverRequested();
 
 private:
+    void addButtons(QVBoxLayout* layout);
+    void addRecovery(QVBoxLayout* layout);
+    void check();
+
     QComboBox* addAddress(QFormLayout* form, const QString& label, const QString& name, const QString& hint);
     QDoubleSpinBox* addAngle(QFormLayout* form, const QString& label, const QString& name, double lowest,
                              double highest);
-    QString noteOf(const QComboBox* box) const;
+    const DeviceChoice* troubled(const QComboBox* box) const;
+    QString limitProblem() const;
 
     std::vector<DeviceChoice> choices_;
     QComboBox* laser_;
     QComboBox* unit_;
     ProblemLabel* trouble_;
+    QPushButton* copyCure_;
+    QString searchProblem_;
     QComboBox* mode_;
     QDoubleSpinBox* firstTilt_;
     QDoubleSpinBox* lastTilt_;
@@ -65,6 +82,11 @@ private:
     QDoubleSpinBox* lastBearing_;
     QPushButton* search_;
     QPushButton* test_;
+    QPushButton* home_;
+    QWidget* recovery_;
+    QPushButton* recover_;
+    DeviceDetails* details_;
+    bool isTestable_ = true;
     QLabel* checks_;
     QLabel* facts_;
 };

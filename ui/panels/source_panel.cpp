@@ -3,7 +3,7 @@
 
 #include "ui/panels/source_panel.h"
 
-#include <optional>
+#include <utility>
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -87,6 +87,11 @@ void SourcePanel::showRecording(const QString& file)
 void SourcePanel::showDevices(const DeviceSetup& setup)
 {
     devices_->setSetup(setup);
+    showDevices();
+}
+
+void SourcePanel::showDevices()
+{
     type_->setCurrentIndex(forms_->indexOf(devices_));
 }
 
@@ -105,23 +110,23 @@ void SourcePanel::check()
     const QWidget* form = forms_->currentWidget();
     QString problem;
     bool isUnfilled = false;  // an empty field is not wrong yet; the button waits for it
-    std::optional<Result<AcquisitionSettings>> settings;
+    Result<std::string> size;
     if (form == simulator_)
-        settings = acquisitionOf(simulator_->setup());
+        size = acquisitionOf(simulator_->setup()).map(scanSizeText);
     if (form == devices_) {
-        settings = acquisitionWith(devices_->setup());
+        size = sizeOf(devices_->setup());
         problem = devices_->problem();
-        isUnfilled = !problem.isEmpty();
+        isUnfilled = devices_->setup().laser.empty() || devices_->setup().tiltUnit.empty();
     }
     if (form == recording_) {
         problem = recording_->problem();
         isUnfilled = recording_->file().isEmpty();
     }
-    if (settings && !*settings) {
-        problem = QString::fromStdString(settings->error().message);
+    if (!size && (problem.isEmpty() || isUnfilled)) {
+        problem = QString::fromStdString(size.error().message);
         isUnfilled = false;
     }
-    size_->setText(settings && *settings ? QString::fromStdString(scanSizeText(**settings)) : QString{});
+    size_->setText(size ? QString::fromStdString(*size) : QString{});
     size_->setVisible(!size_->text().isEmpty());
     problem_->tell(isUnfilled ? QString{} : problem);
     open_->setEnabled(problem.isEmpty());
@@ -129,6 +134,22 @@ void SourcePanel::check()
                    : form == recording_ ? tr("Open recording")
                                         : tr("Connect"));
     open_->setAccessibleName(open_->text());
+}
+
+/// By the devices themselves where they are known, or else by what most of them are.
+Result<std::string> SourcePanel::sizeOf(const DeviceSetup& setup) const
+{
+    const Result<AcquisitionSettings> settings = acquisitionWith(setup);
+    if (!settings)
+        return tl::unexpected{settings.error()};
+    Result<std::string> known = deviceEstimate_ ? deviceEstimate_(setup) : std::string{};
+    return known && known->empty() ? scanSizeText(*settings) : known;
+}
+
+void SourcePanel::setDeviceEstimate(DeviceEstimate estimate)
+{
+    deviceEstimate_ = std::move(estimate);
+    check();
 }
 
 void SourcePanel::open()

@@ -3,9 +3,13 @@
 
 #pragma once
 
+#include <functional>
+#include <string>
+
 #include <QStringList>
 #include <QWidget>
 
+#include "core/types/error.h"
 #include "ui/common/device_setup.h"
 #include "ui/common/simulation_setup.h"
 
@@ -32,9 +36,16 @@ public:
     void showSimulation(const SimulationSetup& setup);
     void showRecording(const QString& file);
     void showDevices(const DeviceSetup& setup);
+    /// Shows the form of laser and tilt unit as it is.
+    void showDevices();
     SimulationSetup simulation() const;
     /// The form of laser and tilt unit.
     DeviceForm& devices() { return *devices_; }
+
+    /// Tells what a scan with devices takes; an empty text where nobody knows them better than an address does. Errors are
+    /// sentences about what to give instead.
+    using DeviceEstimate = std::function<Result<std::string>(const DeviceSetup& setup)>;
+    void setDeviceEstimate(DeviceEstimate estimate);
 
     /// Recordings opened lately, newest first.
     void setRecentFiles(const QStringList& files);
@@ -52,6 +63,7 @@ signals:
 private:
     void check();
     void open();
+    Result<std::string> sizeOf(const DeviceSetup& setup) const;
 
     QComboBox* type_;
     QStackedWidget* forms_;
@@ -61,6 +73,7 @@ private:
     QLabel* size_;
     ProblemLabel* problem_;
     QPushButton* open_;
+    DeviceEstimate deviceEstimate_;
 };
 
 }  // namespace planewright

@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -28,6 +29,13 @@ private slots:
     void whatIsWrongIsSaidBeforeAnythingIsOpened();
     void aDeviceThatIsLostEndsTheScanWithWhatThereIs();
     void whatIsConnectedIsListed();
+    void everyServoThatIsEmulatedScans_data();
+    void everyServoThatIsEmulatedScans();
+    void whatCannotBeEmulatedIsSaid_data();
+    void whatCannotBeEmulatedIsSaid();
+    void theHeadGoesToLevel();
+    void anInterruptHoldsAHeadOnItsWay();
+    void theRigsLimitsAndLeverArmAreThoseOfTheScan();
 
 private:
     static QJsonObject infoOf(const QString& folder);
@@ -112,7 +120,7 @@ void CliDevicesTest::everyByteOfADialogueIsRecorded()
     const QByteArray laser = bytesOf(folder.filePath("laser-1.dialogue"));
     QVERIFY(laser.contains("MD0180090000000"));
     QVERIFY(laser.size() > 8 * 2258);
-    QVERIFY(!bytesOf(folder.filePath("tilt-2.dialogue")).isEmpty());
+    QVERIFY(!bytesOf(folder.filePath("tilt-1.dialogue")).isEmpty());
 }
 
 void CliDevicesTest::aDeviceThatIsNotThereIsSaid_data()
@@ -188,6 +196,115 @@ void CliDevicesTest::whatIsConnectedIsListed()
     QVERIFY(!text.out.isEmpty());
     QCOMPARE(json.code, 0);
     QVERIFY(QJsonDocument::fromJson(json.out).isArray());
+}
+
+void CliDevicesTest::everyServoThatIsEmulatedScans_data()
+{
+    QTest::addColumn<QString>("servo");
+    QTest::addColumn<QString>("baud");
+    QTest::newRow("AX-12") << "AX-12"
+                           << "1000000";
+    QTest::newRow("MX-28") << "MX-28"
+                           << "57142";
+    QTest::newRow("of protocol 2.0") << "XM430-W350"
+                                     << "57600";
+}
+
+void CliDevicesTest::everyServoThatIsEmulatedScans()
+{
+    QFETCH(QString, servo);
+    QFETCH(QString, baud);
+    const QTemporaryDir folder;
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty", "--servo", servo, "--baud", baud});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+    QVERIFY2(rig.tiltUnit().endsWith("?baud=" + baud), qPrintable(rig.tiltUnit()));
+
+    const ProgramRun run = runProgram({"record", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit(), "--tilt",
+                                       "85:95:2", "--step-and-stare", "--retries", "5", "-o", "room.pwscan"},
+                                      folder.path());
+
+    QVERIFY2(run.code == 0, run.err.constData());
+    QCOMPARE(infoOf(folder.path())["slices"].toInt(), 5);
+    QVERIFY(bytesOf(folder.filePath("room.pwscan")).contains(servo.toUtf8()));
+}
+
+void CliDevicesTest::whatCannotBeEmulatedIsSaid_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("no servo") << QStringList{"--laser", "tcp:0", "--servo", "AX-12"} << QByteArray("without --tilt");
+    QTest::newRow("unknown servo") << QStringList{"--tilt", "pty", "--servo", "AX-18"}
+                                   << QByteArray("Known: RX-64, AX-12, MX-28 and XM430-W350");
+    QTest::newRow("no rate") << QStringList{"--tilt", "pty", "--baud", "9"} << QByteArray("--baud");
+}
+
+void CliDevicesTest::whatCannotBeEmulatedIsSaid()
+{
+    QFETCH(QStringList, options);
+    QFETCH(QByteArray, said);
+
+    const ProgramRun run = runProgram(QStringList{"emulate"} + options);
+
+    QCOMPARE(run.code, 2);
+    QVERIFY2(run.err.contains(said), run.err.constData());
+}
+
+void CliDevicesTest::theHeadGoesToLevel()
+{
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+
+    // Its middle is said to look to 70°: level is 20° away.
+    const ProgramRun run = runProgram({"devices", "--home", rig.tiltUnit() + "?zero=70"});
+    const ProgramRun laser = runProgram({"devices", "--home", rig.laser()});
+
+    QVERIFY2(run.code == 0, run.err.constData());
+    QVERIFY2(QRegularExpression("^RX-64.*: stands at (89\\.[5-9]|90|90\\.[1-5])°, and is held\n$")
+                 .match(QString::fromUtf8(run.out))
+                 .hasMatch(),
+             run.out.constData());
+    QCOMPARE(laser.code, 2);
+    QVERIFY2(laser.err.contains("dynamixel: or board:"), laser.err.constData());
+}
+
+void CliDevicesTest::anInterruptHoldsAHeadOnItsWay()
+{
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+    const QTemporaryDir folder;
+    // 80° at 20° a second take four seconds.
+    QProcess moving;
+    moving.start(PLANEWRIGHT_CLI, {"devices", "--home", rig.tiltUnit() + "?zero=10"});
+    QVERIFY(moving.waitForStarted());
+    QTest::qWait(1500);
+
+    ::kill(static_cast<pid_t>(moving.processId()), SIGINT);
+    QVERIFY(moving.waitForFinished(60'000));
+
+    QCOMPARE(moving.exitCode(), 130);
+    QVERIFY2(moving.readAllStandardError().contains("stopped"), "it does not say what has become of the motion");
+    // What it does from there on takes as long as the rest of the way.
+    const ProgramRun rest = runProgram({"devices", "--home", rig.tiltUnit() + "?zero=10"});
+    QVERIFY2(rest.code == 0, rest.err.constData());
+}
+
+void CliDevicesTest::theRigsLimitsAndLeverArmAreThoseOfTheScan()
+{
+    const QTemporaryDir folder;
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+    const QStringList arguments{"record",           "--scanner", rig.laser(), "--tilt",         "85:95:2",
+                                "--step-and-stare", "--settle",  "20",        "--travel-speed", "45",
+                                "--axis-offset",    "0.0815",    "-o",        "room.pwscan",    "--tilt-unit"};
+
+    const ProgramRun limited =
+        runProgram(arguments + QStringList{rig.tiltUnit() + "?lowest=88&highest=100"}, folder.path());
+    const ProgramRun run = runProgram(arguments + QStringList{rig.tiltUnit() + "?lowest=80&fastest=60"}, folder.path());
+
+    QCOMPARE(limited.code, 2);
+    QVERIFY2(limited.err.contains("may go from 88° to 100°"), limited.err.constData());
+    QVERIFY2(run.code == 0, run.err.constData());
+    QCOMPARE(infoOf(folder.path())["pitch_axis_offset_m"].toDouble(), 0.0815);
 }
 
 QTEST_GUILESS_MAIN(CliDevicesTest)

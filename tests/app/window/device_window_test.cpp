@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QtTest>
 
 #include "app/window/waiting.h"
@@ -24,6 +25,10 @@ private slots:
     void devicesAreTestedConnectedAndScannedWith();
     void aTestTellsWhatIsWrongAndWhatToDo();
     void stopMotionEndsAScanWithWhatThereIs();
+    void stopMotionHoldsWhatATestMoves();
+    void theHeadGoesToLevelAndStopMotionHoldsIt();
+    void whatIsSetUpIsThereAfterTheNextStart();
+    void whoHasAScannerIsShownTheForm();
 
 private:
     template <class Widget>
@@ -80,6 +85,21 @@ void DeviceWindowTest::devicesAreTestedConnectedAndScannedWith()
     QVERIFY(comesTo(SessionState::Ready));
     QVERIFY(!find<QPushButton>("testDevices")->isEnabled());
     QVERIFY(find<QLabel>("deviceFacts")->text().contains("Temperature"));
+    auto* health = shown_->parts.window->findChild<QLabel*>("stHealth");
+    QVERIFY(health->isVisible());
+    QVERIFY2(health->text().contains(QStringLiteral("scans/s, lost 0, corrupt 0, late 0, load ")),
+             qPrintable(health->text()));
+    QVERIFY(health->text().endsWith(QStringLiteral(" °C")));
+    // What is set up is told by what the laser says of itself: 200° of its 270° are 801 steps of 0.25°.
+    find<QDoubleSpinBox>("deviceLastBearing")->setValue(200.0);
+    QVERIFY2(find<QLabel>("scanSize")->text().startsWith("34 slices of 801 beams, 27,234 points, about 0."),
+             qPrintable(find<QLabel>("scanSize")->text()));
+    find<QDoubleSpinBox>("deviceLastBearing")->setValue(300.0);
+    QVERIFY(!find<QPushButton>("openSource")->isEnabled());
+    find<QDoubleSpinBox>("deviceLastBearing")->setValue(180.0);
+    find<QComboBox>("sourceType")->setCurrentIndex(0);
+    QTest::mouseClick(health, Qt::LeftButton);
+    QCOMPARE(find<QComboBox>("sourceType")->currentIndex(), 2);
     shown_->action("actStart")->trigger();
 
     QVERIFY(comesTo(SessionState::Review));
@@ -114,6 +134,72 @@ void DeviceWindowTest::stopMotionEndsAScanWithWhatThereIs()
 
     QVERIFY(comesTo(SessionState::Review));
     QVERIFY(!shown_->parts.session.measuredSlices().empty());
+}
+
+void DeviceWindowTest::stopMotionHoldsWhatATestMoves()
+{
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+    choose(rig.laser(), rig.tiltUnit());
+    find<QPushButton>("testDevices")->click();
+    // It moves for half a second: 10° at 20° a second.
+    const QString moving = QChar(0x25CC) + QStringLiteral(" 5°");
+    QVERIFY(waitUntil([&] { return find<QLabel>("deviceChecks")->text().contains(moving); }, kPatience));
+
+    shown_->action("actStopMotion")->trigger();
+
+    QVERIFY(waitUntil([&] { return find<QLabel>("deviceChecks")->text().contains(QChar(0x2718)); }, kPatience));
+    QVERIFY2(find<QLabel>("deviceChecks")->text().contains("stopped"),
+             qPrintable(find<QLabel>("deviceChecks")->text()));
+    QVERIFY(waitUntil([&] { return find<QPushButton>("testDevices")->isEnabled(); }, kPatience));
+}
+
+void DeviceWindowTest::theHeadGoesToLevelAndStopMotionHoldsIt()
+{
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+    // As if the servo's middle looked far down: level is 80° away, four seconds.
+    choose(rig.laser(), rig.tiltUnit() + "?zero=10");
+    find<QPushButton>("homeDevices")->click();
+    const QString moving = QChar(0x25CC) + QStringLiteral(" Move to level");
+    QVERIFY(waitUntil([&] { return find<QLabel>("deviceChecks")->text().contains(moving); }, kPatience));
+    QTest::qWait(500);
+
+    shown_->action("actStopMotion")->trigger();
+    QVERIFY(waitUntil([&] { return find<QLabel>("deviceChecks")->text().contains(QChar(0x2718)); }, kPatience));
+    QVERIFY(waitUntil([&] { return find<QPushButton>("homeDevices")->isEnabled(); }, kPatience));
+    find<QPushButton>("homeDevices")->click();
+
+    QVERIFY(waitUntil([&] { return find<QLabel>("deviceChecks")->text().contains(QChar(0x2714)); }, kPatience));
+    QVERIFY2(find<QLabel>("deviceChecks")->text().contains(QRegularExpression("held at (89\\.[5-9]|90\\.[0-5])")),
+             qPrintable(find<QLabel>("deviceChecks")->text()));
+}
+
+void DeviceWindowTest::whatIsSetUpIsThereAfterTheNextStart()
+{
+    choose("usb:00903971", "dynamixel:usb:?id=2");
+    find<QDoubleSpinBox>("deviceAxisOffset")->setValue(0.081);
+    shown_.reset();
+
+    auto again = ShownWindow::open(folder_->filePath("settings.ini"));
+    QVERIFY2(again, again ? "" : again.error().message.c_str());
+    shown_ = std::move(*again);
+
+    QCOMPARE(find<QComboBox>("laser")->currentText(), QString("usb:00903971"));
+    QCOMPARE(find<QComboBox>("tiltUnit")->currentText(), QString("dynamixel:usb:?id=2"));
+    QCOMPARE(find<QDoubleSpinBox>("deviceFirstTilt")->value(), 70.0);
+    QCOMPARE(find<QDoubleSpinBox>("deviceAxisOffset")->value(), 0.081);
+}
+
+void DeviceWindowTest::whoHasAScannerIsShownTheForm()
+{
+    QVERIFY(shown_->parts.window->showsWelcome());
+    QVERIFY(!shown_->parts.window->findChild<QLabel*>("stHealth")->isVisible());
+    QVERIFY(!find<QComboBox>("laser")->isVisible());
+
+    shown_->parts.window->findChild<QPushButton*>("welcomeConnect")->click();
+
+    QVERIFY(find<QComboBox>("laser")->isVisible());
 }
 
 }  // namespace planewright

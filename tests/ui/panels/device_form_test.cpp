@@ -3,11 +3,13 @@
 
 #include "ui/panels/device_form.h"
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
 
 #include "ui/panels/source_panel.h"
@@ -23,7 +25,13 @@ private slots:
     void whatWasTypedStaysWhenSomethingIsPluggedIn();
     void eachFieldOffersWhatItMayBe();
     void whatStandsInTheWayIsToldWithItsCure();
+    void theCureCanBeCopied();
+    void aSearchThatCannotFindIsTold();
     void aTestNeedsBothDevices();
+    void levelNeedsATiltUnit();
+    void aUnitThatWaitsForAPersonIsReleasedByOne();
+    void anglesBeyondTheLimitsAreTold();
+    void limitsAreFoldedAway();
     void checksHaveASignAndWords();
     void factsStandOutWhereTheyAreTrouble();
     void theSetupIsGivenAsItWasTyped();
@@ -98,6 +106,91 @@ void DeviceFormTest::whatStandsInTheWayIsToldWithItsCure()
     }));
 }
 
+void DeviceFormTest::theCureCanBeCopied()
+{
+    DeviceChoice denied = kServo;
+    denied.problem = "usb 1-3: you may not use it yet; once, run: sudo something";
+    denied.cure = "sudo something";
+    form().setChoices({kLaser, kServo});
+    QVERIFY(!find<QPushButton>("copyCure")->isVisible());
+
+    form().setChoices({kLaser, denied});
+
+    QVERIFY(find<QPushButton>("copyCure")->isVisible());
+    find<QPushButton>("copyCure")->click();
+    QCOMPARE(QGuiApplication::clipboard()->text(), QString("sudo something"));
+    denied.cure.clear();  // nothing that a command cures
+    form().setChoices({kLaser, denied});
+    QVERIFY(!find<QPushButton>("copyCure")->isVisible());
+}
+
+void DeviceFormTest::aSearchThatCannotFindIsTold()
+{
+    form().setSearchProblem("USB cannot be used here");
+
+    const auto labels = form().findChildren<QLabel*>();
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text() == "USB cannot be used here";
+    }));
+}
+
+void DeviceFormTest::levelNeedsATiltUnit()
+{
+    QSignalSpy requested(&form(), &DeviceForm::homeRequested);
+    QVERIFY(!find<QPushButton>("homeDevices")->isEnabled());
+    form().setChoices({kServo});
+
+    find<QPushButton>("homeDevices")->click();
+    form().setTestable(false);
+
+    QCOMPARE(requested.count(), 1);
+    QVERIFY(!find<QPushButton>("homeDevices")->isEnabled());
+}
+
+void DeviceFormTest::aUnitThatWaitsForAPersonIsReleasedByOne()
+{
+    QSignalSpy requested(&form(), &DeviceForm::recoverRequested);
+    form().setChoices({kServo});
+    QVERIFY(!find<QPushButton>("recoverDevices")->isVisible());
+
+    form().setRecoverable(true);
+
+    QVERIFY(find<QPushButton>("recoverDevices")->isVisible());
+    QVERIFY(find<QLabel>("recoverySteps")->isVisible());
+    find<QPushButton>("recoverDevices")->click();
+    QCOMPARE(requested.count(), 1);
+    form().setRecoverable(false);
+    QVERIFY(!find<QPushButton>("recoverDevices")->isVisible());
+}
+
+void DeviceFormTest::anglesBeyondTheLimitsAreTold()
+{
+    form().setChoices({kLaser, kServo});
+    QVERIFY(form().problem().isEmpty());
+
+    find<QDoubleSpinBox>("deviceLastTilt")->setValue(181.0);
+    QVERIFY(form().problem().contains(QStringLiteral("from 0° to 180°")));
+    QVERIFY(!find<QPushButton>("openSource")->isEnabled());
+    find<QDoubleSpinBox>("deviceHighest")->setValue(190.0);
+    QVERIFY(form().problem().isEmpty());
+    find<QDoubleSpinBox>("deviceLowest")->setValue(200.0);
+    QVERIFY(form().problem().contains("below the highest"));
+    find<QDoubleSpinBox>("deviceLowest")->setValue(20.0);
+    QVERIFY(form().problem().contains(QStringLiteral("from 20° to 190°")));
+    // Limits in the address are its own matter.
+    find<QComboBox>("tiltUnit")->setEditText("dynamixel:usb:AB12?lowest=0");
+    QVERIFY(form().problem().isEmpty());
+}
+
+void DeviceFormTest::limitsAreFoldedAway()
+{
+    QVERIFY(!find<QDoubleSpinBox>("deviceFastest")->isVisible());
+
+    find<QToolButton>("deviceDetails")->click();
+
+    QVERIFY(find<QDoubleSpinBox>("deviceFastest")->isVisible());
+}
+
 void DeviceFormTest::aTestNeedsBothDevices()
 {
     QVERIFY(!find<QPushButton>("testDevices")->isEnabled());
@@ -139,7 +232,8 @@ void DeviceFormTest::factsStandOutWhereTheyAreTrouble()
 void DeviceFormTest::theSetupIsGivenAsItWasTyped()
 {
     QSignalSpy requested(panel_.get(), &SourcePanel::devicesRequested);
-    const DeviceSetup setup{"usb:", "board:usb:", true, 20.0, 120.0, 2.5, 10.0, 170.0};
+    const DeviceSetup setup{"usb:", "board:usb:", true, 20.0,  120.0,           2.5, 10.0, 170.0, 30.0, 45.0,
+                            -10.0,  150.0,        60.0, 0.081, "/tmp/dialogues"};
     panel_->showDevices(setup);
 
     find<QPushButton>("openSource")->click();
