@@ -113,8 +113,8 @@ bool DeviceControl::isIdle() const
 Result<std::string> DeviceControl::estimate(const DeviceSetup& setup) const
 {
     const Result<AcquisitionSettings> settings = acquisitionWith(setup);
-    const bool areTheSame = scanner_ && setup.laser == connected_.laser &&
-                            tiltUnitAddress(setup) == tiltUnitAddress(connected_);
+    const bool areTheSame =
+        scanner_ && setup.laser == connected_.laser && tiltUnitAddress(setup) == tiltUnitAddress(connected_);
     if (!settings || !areTheSame)
         return std::string{};
     const ScanPlan plan = noddingOf(setup, *settings).plan;

@@ -42,8 +42,8 @@ public:
     /// The form of laser and tilt unit.
     DeviceForm& devices() { return *devices_; }
 
-    /// Tells what a scan with devices takes; an empty text where nobody knows them better than an address does. Errors are
-    /// sentences about what to give instead.
+    /// Tells what a scan with devices takes; an empty text where nobody knows them better than an address does. Errors
+    /// are sentences about what to give instead.
     using DeviceEstimate = std::function<Result<std::string>(const DeviceSetup& setup)>;
     void setDeviceEstimate(DeviceEstimate estimate);
 

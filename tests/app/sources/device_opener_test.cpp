@@ -5,9 +5,11 @@
 
 #include <filesystem>
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "app/sources/device_permission.h"
 #include "app/sources/found_devices.h"
 #include "core/simulation/scenes.h"
 #include "devices/emulated/emulated_rig.h"
@@ -26,6 +28,7 @@ private slots:
     void aLaserIsNamedByItsPortAsWell();
     void adaptersWithoutANumberAreNamedByTheirPort();
     void everyDialogueHasAFileOfItsOwn();
+    void aSerialPortThatMayNotBeOpenedHasACure();
 };
 
 namespace {
@@ -181,6 +184,28 @@ void DeviceOpenerTest::everyDialogueHasAFileOfItsOwn()
         QVERIFY2(std::filesystem::exists(path) && std::filesystem::file_size(path) > 100, path.c_str());
     }
     QVERIFY(!std::filesystem::exists(dialogues + "/laser-5.dialogue"));
+}
+
+void DeviceOpenerTest::aSerialPortThatMayNotBeOpenedHasACure()
+{
+    // This test runs as a user without rights.
+    const QTemporaryDir folder;
+    QFile port(folder.filePath("ttyUSB0"));
+    QVERIFY(port.open(QIODevice::WriteOnly));
+    port.close();
+    const std::string path = port.fileName().toStdString();
+    const DeviceAddress address = addressOf("dynamixel:serial:" + path);
+    EmulatedUsb usb;
+    DeviceOpener opener(steadyClock());
+    QVERIFY(!hindranceOf(path));
+
+    QVERIFY(port.setPermissions({}));
+
+    QVERIFY(hindranceOf(path));
+    QVERIFY(hindranceOf(path)->cure.starts_with("sudo usermod -aG "));
+    QVERIFY(contains(hindranceOf(path)->problem, hindranceOf(path)->cure.c_str()));
+    QVERIFY(hindranceOf(address, opener));
+    QVERIFY(!hindranceOf(folder.filePath("ttyUSB1").toStdString()));
 }
 
 }  // namespace planewright
