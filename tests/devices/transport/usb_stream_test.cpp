@@ -41,11 +41,12 @@ std::chrono::nanoseconds processorTime()
     return of(usage.ru_utime) + of(usage.ru_stime);
 }
 
-/// What a stream of scans may cost, and an adapter that is open, each with its emulated device [%]. A machine under
-/// test is granted ten times as much.
+/// What a stream of scans may cost with its emulated device [%]. A machine under test is granted ten times as much.
 constexpr double kMostShare = 3.0;
-constexpr double kMostShareOfAdapter = 9.0;
 constexpr double kMargin = 10.0;
+/// Requests to the kernel that a packet may cost: one that fetches it, one that waits for the next, and one that finds
+/// nothing more. Emulated ones cost far more time than true ones, so that the share of the processor tells little.
+constexpr double kMostRequests = 6.0;
 
 double shareOfAProcessor(std::chrono::nanoseconds usedBefore, std::chrono::nanoseconds since)
 {
@@ -109,6 +110,7 @@ void UsbStreamTest::anAdapterThatSaysNothingCostsLittle()
     QVERIFY(link);
     const auto began = steadyClock().now();
     const auto used = processorTime();
+    const long requests = rig.usb.requests();
 
     std::jthread sender{[&] { every(1ms, milliseconds, [&](int) { adapter->sendPacket({0x01, 0x60}); }); }};
     std::array<std::uint8_t, 64> into{};
@@ -118,8 +120,12 @@ void UsbStreamTest::anAdapterThatSaysNothingCostsLittle()
     QVERIFY(arrival && arrival->count == 0);
     QVERIFY(comesTrue([&] { return adapter->unread() == 0; }));
     const double share = shareOfAProcessor(used, began);
-    qInfo("an idle adapter: %.1f %% of a processor with the emulated one, at 1000 packets a second", share);
-    QVERIFY2(share < kMargin * kMostShareOfAdapter, qPrintable(QString::number(share)));
+    const double each = static_cast<double>(rig.usb.requests() - requests) / milliseconds;
+    qInfo(
+        "an idle adapter: %.1f %% of a processor with the emulated one, %.1f requests for each of 1000 packets a "
+        "second",
+        share, each);
+    QVERIFY2(each <= kMostRequests, qPrintable(QString::number(each)));
 }
 
 }  // namespace planewright
