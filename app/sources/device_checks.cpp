@@ -86,7 +86,7 @@ private:
     Result<std::string> oneSlice()
     {
         constexpr std::chrono::seconds kMost{2};
-        if (const Result<void> started = laser_->start(fitted_.firstStep, fitted_.lastStep, stop_); !started)
+        if (const Result<void> started = laser_->start(fitted_.steps, stop_); !started)
             return tl::unexpected{started.error()};
         const auto scan = laser_->next(clock_.now() + kMost, stop_);
         const Result<void> stopped = laser_->stop();

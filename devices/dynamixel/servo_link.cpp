@@ -117,10 +117,12 @@ Result<ServoReply> ServoLink::ask(const std::function<ServoQuestion()>& question
         if (error.request == RequestFault::None)
             return reply;
         // A request that the line has damaged is asked again.
-        if (error.request == RequestFault::Refused || i + 1 == how.tries)
+        if (error.request == RequestFault::Refused || i + 1 == how.tries) {
+            const std::vector<std::uint8_t> packet = encodePacket(protocol_, asked.request);
+            log().add(reply->arrived, "servo-refused", "it refused a request: " + std::string{error.refusal}, packet);
             return fail(ErrorCode::Internal, subject() + " refused a request (" + std::string{error.refusal} +
-                                                 "): " + hexText(encodePacket(protocol_, asked.request)) +
-                                                 "; please report this line");
+                                                 "): " + hexText(packet) + "; please report this line");
+        }
     }
     return reply;
 }
