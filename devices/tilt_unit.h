@@ -60,9 +60,22 @@ public:
     virtual double highest() const = 0;
     /// The largest speed that it may have [rad/s].
     virtual double fastest() const = 0;
+    /// Speeds that it has are whole multiples of this, which is the least of them [rad/s]; 0 where it has any.
+    virtual double speedStep() const { return 0.0; }
+    /// How far from where it was sent it may stand and count as there [rad].
+    virtual double tolerance() const { return 2.0 * resolution(); }
 
     /// Allows motion: nothing moves before. Takes back a hold().
+    ///
+    /// Errors (NeedsOperator): it has stopped by itself, or by its button for emergencies: a person has to see to the
+    /// cause, and then to ask for recover().
     virtual Result<void> arm(const std::stop_token& stop) = 0;
+
+    /// Releases a unit that has stopped by itself or in an emergency, after a person has seen to the cause: never to be
+    /// called unasked. Moves nothing, and arm() is still needed. Where there is nothing to release it does nothing.
+    ///
+    /// Errors (NeedsOperator): the cause is still there; DeviceLost; Interrupted: a stop.
+    virtual Result<void> recover(const std::stop_token& /*stop*/) { return {}; }
 
     /// Begins to go to φ [rad] at a speed [rad/s]; returns when the unit has accepted. Errors (Usage): beyond a limit;
     /// DeviceLost: no answer, or the unit reports a fault (Error's text names it); Interrupted: held.
@@ -74,6 +87,9 @@ public:
     /// The next measured angle: one round trip, or the next that the unit sends by itself. Empty at the deadline.
     virtual Result<std::optional<TiltSample>> sample(std::chrono::nanoseconds deadline,
                                                      const std::stop_token& stop) = 0;
+
+    /// Comes to rest in order and holds; refuses every motion until arm(). Not for emergencies.
+    virtual Result<void> stop() { return hold(); }
 
     /// Stops where it is and holds; refuses every motion until arm(). Within one round trip.
     virtual Result<void> hold() = 0;

@@ -22,7 +22,7 @@ namespace planewright {
 struct BoardTiltOptions {
     TiltMounting mounting;
     BoardTiming timing;
-    int positionRate = 100;                      ///< measured angles a second, 1 to 200
+    int positionRate = 200;                      ///< measured angles a second, 1 to 200
     int tolerance = 2;                           ///< counts: so near is arrived
     std::chrono::milliseconds settle{20};        ///< at rest for so long is settled
     std::chrono::milliseconds watchdog{150};     ///< without heartbeats for so long the board stops, 50 to 500
@@ -55,16 +55,17 @@ public:
     double lowest() const override { return scale_.lowest(); }
     double highest() const override { return scale_.highest(); }
     double fastest() const override { return scale_.fastest(); }
+    double speedStep() const override { return scale_.step(); }
+    double tolerance() const override { return options_.tolerance * scale_.step(); }
     Result<void> arm(const std::stop_token& stop) override;
     Result<void> moveTo(double pitch, double speed) override;
     double nearestPitch(double pitch) const override { return scale_.pitch(scale_.nearest(pitch)); }
     Result<std::optional<TiltSample>> sample(std::chrono::nanoseconds deadline, const std::stop_token& stop) override;
+    Result<void> stop() override;
     Result<void> hold() override;
     LinkHealth health() const override;
     MotorState motor() const override;
 
-    /// Comes to rest in order and holds, until arm(). Not for emergencies.
-    Result<void> stop();
     /// Notes the angle at the laser's next sync edge. Errors (Usage): one is being waited for, or there is no sync
     /// wire.
     Result<void> trigger(std::uint32_t number);

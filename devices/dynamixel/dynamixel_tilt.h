@@ -44,6 +44,8 @@ public:
     double lowest() const override { return angles_.lowestPitch(); }
     double highest() const override { return angles_.highestPitch(); }
     double fastest() const override { return angles_.fastest(); }
+    double speedStep() const override { return angles_.speedOf(1); }
+    double tolerance() const override { return settings_.tolerance * angles_.resolution(); }
 
     /// Torque on, where the servo stands. Errors (DeviceLost): also where an alarm has turned it off: recover() first.
     Result<void> arm(const std::stop_token& stop) override;
@@ -57,7 +59,7 @@ public:
     /// Turns a servo on again, where it stands, after an alarm has turned it off and its user has seen to the cause.
     /// Once after each connect(): what happens again has a cause that is still there. Moves nothing, and arm() is still
     /// needed. Errors (DeviceLost): too warm, supply out of range, or the alarm is still there, with the numbers.
-    Result<void> recover(const std::stop_token& stop);
+    Result<void> recover(const std::stop_token& stop) override;
 
     /// True from the beginning of a hold() to the end of an arm(), or to a connect(). Any thread.
     bool isHeld() const { return holds_ != holdsTakenBack_; }
