@@ -5,6 +5,8 @@
 
 #include <charconv>
 
+#include "core/types/angle.h"
+
 namespace planewright {
 
 namespace {
@@ -49,6 +51,8 @@ std::vector<HealthFact> factsOf(const NoddingHealth& health)
         facts.push_back({"Temperature", fixed(*health.motor.temperature, 0) + " °C", false});
     const std::chrono::duration<double, std::milli> skew = health.largestSkew;
     facts.push_back({"Largest skew", fixed(skew.count(), 1) + " ms", false});
+    facts.push_back({"Tilt step", fixed(toDegrees(health.pitchStep), 3) + "°", false});
+    facts.push_back({"Slices lost", std::to_string(health.slicesLost), health.slicesLost > 0});
     return facts;
 }
 
