@@ -48,6 +48,7 @@ struct ScanNews {
     std::atomic<bool> isOver{false};
     std::optional<Error> failure;    ///< of the source or the extraction; read when the threads have ended
     std::optional<Error> notClosed;  ///< of the recording
+    ScanOutcome outcome = ScanOutcome::Complete;
 };
 
 Result<OpenedSource> openScanner(const RecordOptions& options, const std::stop_token& stop)
@@ -116,23 +117,18 @@ Result<OpenedSource> openWatched(const RecordOptions& options, const SignalWatch
     return std::move(*opened);
 }
 
-ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline, int retries)
+ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline)
 {
     ScanEvents events;
     events.acquisition.onBegun = [] {};
-    events.acquisition.onFault = [&news, &pipeline, left = retries](const Error& error) mutable {
-        constexpr std::chrono::milliseconds kBackOff{500};
-        if (left > 0 && error.code != ErrorCode::Internal) {
-            --left;
-            printWarning(error.message + "; trying to go on");
-            std::this_thread::sleep_for(kBackOff);
-            pipeline->retry();
-            return;
-        }
+    events.acquisition.onFault = [&news, &pipeline](const Error& error) {
         news.failure = error;
         pipeline->giveUp();
     };
-    events.acquisition.onEnded = [](ScanOutcome /*outcome*/) {};
+    events.acquisition.onRecovering = [](const Error& error, std::chrono::milliseconds wait) {
+        printWarning(error.message + "; trying to go on in " + std::to_string(wait.count()) + " ms");
+    };
+    events.acquisition.onEnded = [&news](ScanOutcome outcome) { news.outcome = outcome; };
     events.recording.onTrouble = [](const Error& error) {
         printWarning(error.message + "; slices are kept in memory, and writing is tried again every second");
     };
@@ -157,8 +153,8 @@ std::optional<int> waitFor(ScanPipeline& pipeline, const ScanNews& news, const S
                 pipeline.abandon();
             } else {
                 interrupted = signal;
-                [[maybe_unused]] const Result<void> stopped = pipeline.stopMotion();
                 pipeline.finish();
+                [[maybe_unused]] const Result<void> stopped = pipeline.stopMotion();
             }
         }
         progress.show(static_cast<std::size_t>(pipeline.status().acquired), static_cast<std::size_t>(planned));
@@ -183,10 +179,17 @@ Result<ExitCode> record(const RecordOptions& options)
 
     ScanNews news;
     ScanPipeline* running = nullptr;
-    ScanPipeline pipeline{{opened->source, std::move(*recorder), {{0, *parameters}}, false, options.extract},
-                          eventsFor(news, running, options.retries),
+    ScanPipeline pipeline{{opened->source,
+                           std::move(*recorder),
+                           {{0, *parameters}},
+                           false,
+                           options.extract,
+                           {options.retries, options.retries}},
+                          eventsFor(news, running),
                           steadyClock()};
     running = &pipeline;
+    // Whoever starts a scan has seen to the head.
+    opened->source->release();
     std::optional<int> interrupted;
     {
         std::vector<std::jthread> threads;
@@ -205,6 +208,9 @@ Result<ExitCode> record(const RecordOptions& options)
         return tl::unexpected{*news.failure};
     if (news.notClosed)
         return tl::unexpected{*news.notClosed};
+    if (news.outcome == ScanOutcome::Partial && !interrupted)
+        printWarning(options.output + ": " + std::to_string(pipeline.status().lost) +
+                     " slices of the plan are missing; the scan is marked as partial");
     if (options.extract) {
         const auto steps = pipeline.take();
         const auto printed = steps.empty() ? Result<void>{} : print(planeTable(planeResults(*steps.back().snapshot)));
@@ -228,8 +234,10 @@ void addRecordCommand(CLI::App& program, Command& chosen)
         ->type_name("ADDRESS")
         ->required();
     addScanSetupOptions(command, options->setup);
-    addWholeNumber(command, "--retries", options->retries, 0, 100,
-                   "how often the scan goes on by itself at the missing slice after a device has failed (default 0)");
+    addWholeNumber(
+        command, "--retries", options->retries, 0, 100,
+        "how often the scan goes on by itself at the missing slice after a link to a device has failed; never "
+        "after an emergency stop, an alarm or where something blocks the head (default 0)");
     command.add_option("-o", options->output, "recording to write (.pwscan)")->type_name("FILE")->required();
     command.add_flag("--append", options->append, "add the scan to a recording that is there");
     command.add_flag("--extract", options->extract, "extract planes meanwhile, and print them at the end");
