@@ -99,6 +99,7 @@ void ScanControl::connectSession()
     ScanSession& session = parts_.session;
     connect(&session, &ScanSession::stateChanged, this, &ScanControl::takeState);
     connect(&session, &ScanSession::statusChanged, this, &ScanControl::takeStatus);
+    connect(&session, &ScanSession::motionStoppedChanged, this, &ScanControl::showMotionStopped);
     // The project of before is gone by now: nothing may go on writing to it.
     connect(&session, &ScanSession::projectChanged, this, [this] {
         parts_.selection.clear();
@@ -128,12 +129,34 @@ void ScanControl::connectSession()
         parts_.log(LogSeverity::Error, tr("session"), text);
         if (parts_.preferences.alarmSound)
             QApplication::beep();
-        std::vector<Banner::Choice> choices;
-        if (parts_.session.state() == SessionState::Fault)
-            choices = {{tr("Retry now"), [this] { act(parts_.session.retry()); }},
-                       {tr("Finish with what we have"), [this] { act(parts_.session.finish()); }}};
-        parts_.window->banner().showMessage(Banner::Kind::Problem, text, choices);
+        showFault(text);
     });
+}
+
+void ScanControl::showFault(const QString& text)
+{
+    std::vector<Banner::Choice> choices;
+    const bool isFault = parts_.session.state() == SessionState::Fault;
+    if (parts_.session.isMotionStopped())
+        choices.emplace_back(tr("Release"), [this] { act(parts_.session.release()); });
+    else if (isFault)
+        choices.emplace_back(tr("Retry now"), [this] { act(parts_.session.retry()); });
+    if (isFault)
+        choices.emplace_back(tr("Finish with what we have"), [this] { act(parts_.session.finish()); });
+    parts_.window->banner().showMessage(Banner::Kind::Problem, text, choices);
+}
+
+/// Stays until somebody releases what was stopped: no scan begins or goes on before.
+void ScanControl::showMotionStopped(bool isStopped)
+{
+    refreshActions();
+    refreshOverlay();
+    if (isStopped)
+        showFault(tr("Motion was stopped. Nothing moves before you release it."));
+    else if (parts_.session.state() == SessionState::Fault && parts_.fault)
+        showFault(QString::fromStdString(parts_.fault->message));
+    else
+        parts_.window->banner().hide();
 }
 
 void ScanControl::open(const QString& fileOrAddress, bool starts)
@@ -174,6 +197,8 @@ void ScanControl::openWith(const SimulatedScanner& simulation, const QString& fi
 
 void ScanControl::start()
 {
+    if (parts_.session.isMotionStopped())
+        showMotionStopped(true);
     prepareRecording();
     act(parts_.session.start());
 }
@@ -256,6 +281,9 @@ void ScanControl::refreshActions()
     WindowActions& actions = parts_.window->actions();
     for (const Row& row : kRows)
         actions[QLatin1String(row.action)]->setEnabled(parts_.session.refusal(row.request).isEmpty());
+    // It then says why nothing moves.
+    if (parts_.session.isMotionStopped())
+        actions[QStringLiteral("actStart")]->setEnabled(true);
     const bool pauses = parts_.session.refusal(SessionRequest::Pause).isEmpty();
     const bool continues = parts_.session.refusal(SessionRequest::Continue).isEmpty();
     QAction* pause = actions[QStringLiteral("actPause")];
@@ -278,7 +306,7 @@ void ScanControl::refreshOverlay()
         content.stateText += steps();
     if ((state == SessionState::Review || state == SessionState::ReadOnly) && map.snapshot) {
         const int last = status.extracted > 0 ? parts_.session.mapAt(planned > 0 ? planned : kMaxStep)->step : map.step;
-        const bool whole = planned > 0 && last + 1 >= planned;
+        const bool whole = planned > 0 && last + 1 >= planned && status.lost == 0;
         if (state == SessionState::Review) {
             content.stateText = (whole ? tr("✔ Complete") : tr("◐ Partial"));
             if (!whole)
@@ -290,6 +318,10 @@ void ScanControl::refreshOverlay()
         const auto planes = static_cast<int>(map.planes.size());
         content.stateText += planes == 1 ? tr(", 1 plane") : tr(", %1 planes").arg(planes);
     }
+    if (parts_.session.isMotionStopped()) {
+        content.stateText += tr(", motion stopped");
+        content.stateColour = QColor(QStringLiteral("#b3261e"));
+    }
     if (map.snapshot) {
         std::size_t points = 0;
         for (const auto& slice : map.slices)
@@ -300,7 +332,9 @@ void ScanControl::refreshOverlay()
             tr("segments %1").arg(grouped.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
             tr("planes %1").arg(static_cast<int>(map.planes.size()))};
     }
-    if (state == SessionState::Ready && !map.snapshot)
+    if (state == SessionState::Ready && !map.snapshot && parts_.session.isMotionStopped())
+        content.hint = tr("Release the motion, then press F5 to scan.");
+    else if (state == SessionState::Ready && !map.snapshot)
         content.hint = tr("Press F5 to scan %1 steps, about %2 s.")
                            .arg(status.plannedSteps)
                            .arg(status.plannedSteps * 0.025, 0, 'f', 1);

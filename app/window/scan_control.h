@@ -32,6 +32,8 @@ private:
     void connectActions();
     void connectSession();
     void act(const Result<void>& result);
+    void showFault(const QString& text);
+    void showMotionStopped(bool isStopped);
     void takeState(SessionState state);
     void takeStatus(const SessionStatus& status);
     void refreshActions();

@@ -4,7 +4,9 @@
 #include <sstream>
 
 #include <QApplication>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTableView>
 #include <QtTest>
 
@@ -29,6 +31,8 @@ private slots:
     void theFirstPageShowsPlanesAfterOneClick();
     void aScanIsHeldSteppedAndFinished();
     void stoppingWorksInEveryState();
+    void nothingMovesAfterAStopBeforeItIsReleased();
+    void aLongQueueIsAmber();
     void aClickInTheTableSelectsInTheViewAndBack();
     void namesAreTypedInTheTableAndTakenBack();
     void theFilterKeepsWhatItAsksFor();
@@ -115,8 +119,46 @@ void WindowTest::stoppingWorksInEveryState()
     QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Scanning; }, kPatience));
     action("actStopMotion")->trigger();
 
-    QVERIFY(waitUntil([this] { return parts_->session.state() != SessionState::Scanning; }, kPatience));
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
     QVERIFY(action("actStopMotion")->isEnabled());
+}
+
+void WindowTest::nothingMovesAfterAStopBeforeItIsReleased()
+{
+    shown_->controllers->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0.2"), true);
+    QVERIFY(waitUntil([this] { return parts_->session.status().acquired > 0; }, kPatience));
+    action("actStopMotion")->trigger();
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
+    Banner& banner = parts_->window->banner();
+    QVERIFY(banner.isVisible() && banner.text().contains("Motion was stopped"));
+    banner.hide();
+
+    action("actStart")->trigger();
+
+    QCOMPARE(parts_->session.state(), SessionState::Review);
+    QVERIFY(banner.isVisible() && banner.text().contains("release"));
+    banner.findChild<QPushButton*>(QStringLiteral("bannerFirst"))->click();
+    QVERIFY(!parts_->session.isMotionStopped());
+    QVERIFY(!banner.isVisible());
+    action("actStart")->trigger();
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Scanning; }, kPatience));
+}
+
+void WindowTest::aLongQueueIsAmber()
+{
+    const auto* queue = shown_->parts.window->findChild<QLabel*>(QStringLiteral("stQueue"));
+    QVERIFY(queue != nullptr);
+    SessionStatus status;
+
+    status.queueDepth = 63;
+    emit parts_->session.statusChanged(status);
+    const bool isAmberBefore = queue->styleSheet().contains("#8a5a00");
+    status.queueDepth = 64;
+    emit parts_->session.statusChanged(status);
+
+    QVERIFY(!isAmberBefore);
+    QVERIFY(queue->styleSheet().contains("#8a5a00"));
+    QVERIFY(queue->text().contains("64"));
 }
 
 void WindowTest::aClickInTheTableSelectsInTheViewAndBack()
