@@ -63,7 +63,7 @@ void DevicePairTest::scansThatNobodyTakesAreBounded()
     script.hasSamples = false;
     DevicePair pair(scriptedDevices(script), script.clock);
     QVERIFY(pair.open({}));
-    QVERIFY(pair.startLaser(180, 900, {}));
+    QVERIFY(pair.startLaser({180, 900}, {}));
     while (script.clock.now() < 60s)
         QVERIFY(pair.hear({}));
 
@@ -83,7 +83,7 @@ void DevicePairTest::aLaserThatFailedLeavesTheUnitOpen()
     DeviceScript script;
     DevicePair pair(scriptedDevices(script), script.clock);
     QVERIFY(pair.open({}));
-    QVERIFY(pair.startLaser(180, 900, {}));
+    QVERIFY(pair.startLaser({180, 900}, {}));
     script.onLaser = [] { return Result<void>{fail(ErrorCode::DeviceLost, "the cable is pulled out")}; };
 
     QVERIFY(!pair.hear({}));

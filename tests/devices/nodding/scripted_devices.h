@@ -173,7 +173,7 @@ public:
     Result<void> connect(const std::stop_token& /*stop*/) override { return {}; }
     const LaserIdentity& identity() const override { return identity_; }
     const LaserLimits& limits() const override { return limits_; }
-    Result<void> start(int /*first*/, int /*last*/, const std::stop_token& /*stop*/) override
+    Result<void> start(const LaserBeams& /*beams*/, const std::stop_token& /*stop*/) override
     {
         script_.note("laser start");
         script_.waitTo(script_.clock.now() + script_.laserStart);
