@@ -7,6 +7,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "core/types/error.h"
 #include "devices/laser.h"
@@ -28,6 +29,8 @@ struct TiltSample {
     std::chrono::nanoseconds at{0};  ///< moment of the measurement, host clock
     double pitch = 0.0;              ///< φ [rad]
     bool moving = false;
+    std::chrono::nanoseconds uncertainty{0};  ///< how far `at` may be off; samples that may be off by more than 5 ms
+                                              ///< are not given while it moves
 };
 
 /// What a device panel shows of a motor.
@@ -38,8 +41,8 @@ struct MotorState {
     std::string trouble;                ///< empty, or a line about what is wrong now
 };
 
-/// What tilts the laser. One thread calls it, except hold(), health() and motor(), which any thread may call at any
-/// time.
+/// What tilts the laser. One thread calls it, except hold(), health(), takeLog() and motor(), which any thread may
+/// call at any time.
 class TiltUnit {
 public:
     virtual ~TiltUnit() = default;
@@ -62,7 +65,16 @@ public:
     virtual double fastest() const = 0;
 
     /// Allows motion: nothing moves before. Takes back a hold().
+    ///
+    /// Errors (NeedsOperator): it has stopped by itself, or by its button for emergencies: a person has to see to the
+    /// cause, and then to ask for recover().
     virtual Result<void> arm(const std::stop_token& stop) = 0;
+
+    /// Releases a unit that has stopped by itself or in an emergency, after a person has seen to the cause: never to be
+    /// called unasked. Moves nothing, and arm() is still needed. Where there is nothing to release it does nothing.
+    ///
+    /// Errors (NeedsOperator): the cause is still there; DeviceLost; Interrupted: a stop.
+    virtual Result<void> recover(const std::stop_token& /*stop*/) { return {}; }
 
     /// Begins to go to φ [rad] at a speed [rad/s]; returns when the unit has accepted. Errors (Usage): beyond a limit;
     /// DeviceLost: no answer, or the unit reports a fault (Error's text names it); Interrupted: held.
@@ -75,10 +87,15 @@ public:
     virtual Result<std::optional<TiltSample>> sample(std::chrono::nanoseconds deadline,
                                                      const std::stop_token& stop) = 0;
 
+    /// Comes to rest in order and holds; refuses every motion until arm(). Not for emergencies.
+    virtual Result<void> stop() { return hold(); }
+
     /// Stops where it is and holds; refuses every motion until arm(). Within one round trip.
     virtual Result<void> hold() = 0;
 
     virtual LinkHealth health() const = 0;
+    /// Its faults since this was last called, the latest FaultLog::kMostRecords at most, oldest first.
+    virtual std::vector<FaultRecord> takeLog() { return {}; }
     virtual MotorState motor() const = 0;
 };
 

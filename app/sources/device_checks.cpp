@@ -86,7 +86,7 @@ private:
     Result<std::string> oneSlice()
     {
         constexpr std::chrono::seconds kMost{2};
-        if (const Result<void> started = laser_->start(fitted_.firstStep, fitted_.lastStep, stop_); !started)
+        if (const Result<void> started = laser_->start(fitted_.steps, stop_); !started)
             return tl::unexpected{started.error()};
         const auto scan = laser_->next(clock_.now() + kMost, stop_);
         const Result<void> stopped = laser_->stop();
@@ -115,8 +115,8 @@ private:
             if (const Result<void> moved = motion_->moveTo(goal, kSpeed); !moved)
                 return tl::unexpected{moved.error()};
         }
-        if (const Result<void> held = motion_->hold(); !held)
-            return tl::unexpected{held.error()};
+        if (const Result<void> rested = motion_->rest(); !rested)
+            return tl::unexpected{rested.error()};
         return std::string{};
     }
 

@@ -9,11 +9,14 @@
 #include <utility>
 
 #include "core/types/angle.h"
+#include "devices/board/board_speech.h"
 #include "devices/board/board_tilt.h"
 #include "devices/dynamixel/dynamixel_tilt.h"
+#include "devices/dynamixel/servo_speech.h"
 #include "devices/scip/scip_laser.h"
 #include "devices/transport/dialogue_recorder.h"
 #include "devices/transport/replayed_dialogue.h"
+#include "devices/transport/replayed_talk.h"
 #include "devices/transport/serial_line.h"
 #include "devices/transport/tcp_link.h"
 #include "devices/transport/usb_cdc.h"
@@ -24,6 +27,22 @@ namespace planewright {
 namespace {
 
 constexpr int kMostDialogues = 9999;
+
+/// A laser is asked the same at each start, to the byte; of the others the meaning counts.
+Result<std::unique_ptr<Transport>> playDialogue(const DeviceAddress& address, ReplayedDialogue::Pace pace,
+                                                const Clock& clock)
+{
+    const auto asTransport = [](auto dialogue) { return std::unique_ptr<Transport>(std::move(dialogue)); };
+    switch (address.unit) {
+        case DeviceAddress::Unit::Dynamixel:
+            return ReplayedTalk::open(address.name, pace, std::make_unique<ServoSpeech>(), clock).map(asTransport);
+        case DeviceAddress::Unit::Board:
+            return ReplayedTalk::open(address.name, pace, std::make_unique<BoardSpeech>(), clock).map(asTransport);
+        case DeviceAddress::Unit::Laser:
+            break;
+    }
+    return ReplayedDialogue::open(address.name, pace, clock).map(asTransport);
+}
 
 std::string listOf(const std::vector<std::string>& names)
 {
@@ -201,10 +220,7 @@ Result<std::unique_ptr<Transport>> DeviceOpener::openLink(const DeviceAddress& a
         case DeviceAddress::Link::Dialogue: {
             const auto pace =
                 address.isInTime ? ReplayedDialogue::Pace::Recorded : ReplayedDialogue::Pace::AsFastAsPossible;
-            auto dialogue = ReplayedDialogue::open(address.name, pace, clock_);
-            if (!dialogue)
-                return tl::unexpected{dialogue.error()};
-            return std::unique_ptr<Transport>(std::move(*dialogue));
+            return playDialogue(address, pace, clock_);
         }
         case DeviceAddress::Link::Usb:
             break;

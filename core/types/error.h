@@ -11,15 +11,16 @@ namespace planewright {
 
 /// What kind of thing went wrong; the command line turns it into its exit code.
 enum class ErrorCode {
-    Internal,     ///< our own fault
-    Usage,        ///< a wrong option or parameter
-    Unreadable,   ///< an input that cannot be read or is malformed; nothing was written
-    NotWritten,   ///< an output that could not be written; what stood there before is untouched
-    GateFailed,   ///< the work was done and its result is worse than the caller allowed
-    NoRenderer,   ///< nothing here can draw
-    NoDevice,     ///< a device that is not there, may not be opened, or is not what was expected
-    DeviceLost,   ///< a device that was there and is gone, or does not answer any more
-    Interrupted,  ///< the user asked to stop
+    Internal,       ///< our own fault
+    Usage,          ///< a wrong option or parameter
+    Unreadable,     ///< an input that cannot be read or is malformed; nothing was written
+    NotWritten,     ///< an output that could not be written; what stood there before is untouched
+    GateFailed,     ///< the work was done and its result is worse than the caller allowed
+    NoRenderer,     ///< nothing here can draw
+    NoDevice,       ///< a device that is not there, may not be opened, or is not what was expected
+    DeviceLost,     ///< a device that was there and is gone, or does not answer any more
+    NeedsOperator,  ///< a device that waits for a person to see to it and to release it; never tried again unasked
+    Interrupted,    ///< the user asked to stop
 };
 
 /// A failure for a person to read: names the file, the place in it and what to do.

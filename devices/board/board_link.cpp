@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace planewright {
 
@@ -37,6 +38,26 @@ std::optional<std::uint64_t> stampOf(const Message& message)
                 return std::nullopt;
         },
         message);
+}
+
+struct Words {
+    std::string_view code;
+    std::string_view text;
+};
+
+Words wordsFor(Damage damage)
+{
+    switch (damage) {
+        case Damage::Cobs:
+            return {"board-cobs", "a frame that is not stuffed as it must be"};
+        case Damage::Length:
+            return {"board-length", "a frame that is too long, or not as long as it says"};
+        case Damage::Crc:
+            return {"board-crc", "a frame with a wrong checksum"};
+        case Damage::Version:
+            break;
+    }
+    return {"board-version", "a frame of another version of the protocol"};
 }
 
 template <class T>
@@ -88,7 +109,10 @@ Result<std::optional<BoardLink::Received>> BoardLink::tryToAsk(const Request& re
     Result<std::optional<Received>> reply{std::nullopt};
     for (int left = patience.tries; left > 0 && reply && !*reply; --left) {
         reply = askOnce(lock, request, mayGo, patience.reply, stop);
-        missing_ += reply && !*reply ? 1 : 0;
+        if (reply && !*reply) {
+            ++missing_;
+            log_.add(clock_.now(), "board-no-reply", "a request was not answered", request.bytes);
+        }
     }
     awaited_.erase(request.seq);
     return reply;
@@ -172,6 +196,7 @@ Result<void> BoardLink::beginAnew()
     sentBeats_.clear();
     posted_.clear();
     missing_ = unreadable_ = lostEvents_ = 0;
+    log_.restartCounts();
     return {};
 }
 
@@ -212,11 +237,35 @@ LinkHealth BoardLink::health() const
     if (lostEvents_ > 0 && clock_.now() - lostAt_ < kLossIsNews)
         health.trouble = "events of the control board were lost (" + std::to_string(lostEvents_) +
                          " since it was connected); slices of these moments are missing";
-    if (sync_.isSynchronised() && sync_.roundTrip() > kSlowestRoundTrip)
-        health.trouble = "the control board answers too slowly (" +
-                         std::to_string(std::chrono::round<std::chrono::milliseconds>(sync_.roundTrip()).count()) +
-                         " ms) to know when its angles were measured; connect it to the computer directly";
+    if (isTooSlow())
+        health.trouble = "the control board " + slownessText();
+    const TransportHealth transport = transport_->health();
+    health.overruns = transport.overruns;
+    if (health.trouble.empty())
+        health.trouble = transport.trouble;
+    health.faults = log_.counts();
     return health;
+}
+
+std::string BoardLink::slowness() const
+{
+    const std::scoped_lock lock(mutex_);
+    return isTooSlow() ? slownessText() : std::string{};
+}
+
+bool BoardLink::isTooSlow() const
+{
+    return sync_.isSynchronised() && sync_.roundTrip() > kSlowestRoundTrip;
+}
+
+std::string BoardLink::slownessText() const
+{
+    const auto in = [](Time time) {
+        return std::to_string(std::chrono::round<std::chrono::milliseconds>(time).count()) + " ms";
+    };
+    return "answers too slowly: its answers take " + in(sync_.roundTrip()) +
+           ", and the moments of its angles must be known to " + in(kSlowestRoundTrip / 2) +
+           "; connect it to the computer directly, without a hub or a network between them";
 }
 
 Result<void> BoardLink::write(const std::vector<std::uint8_t>& bytes, const Guard& mayGo)
@@ -284,11 +333,23 @@ Result<std::size_t> BoardLink::pump(std::unique_lock<std::mutex>& lock, Time unt
         return tl::unexpected(arrival.error());
     for (const Frame& frame : parser_.push({bytes.data(), arrival->count}))
         deliver(frame, arrival->at);
-    if (parser_.counters().lostEvents != lostEvents_) {
-        lostEvents_ = parser_.counters().lostEvents;
-        lostAt_ = clock_.now();
-    }
+    logDamage(arrival->at);
     return arrival->count;
+}
+
+/// What the parser threw away, and events that are missing.
+void BoardLink::logDamage(Time at)
+{
+    for (const FrameParser::Damaged& damaged : parser_.damaged()) {
+        const auto [code, text] = wordsFor(damaged.damage);
+        log_.add(at, code, std::string{text}, damaged.bytes);
+    }
+    const std::uint64_t lost = parser_.counters().lostEvents;
+    if (lost == lostEvents_)
+        return;
+    log_.add(at, "board-lost-events", std::to_string(lost - lostEvents_) + " events did not come");
+    lostEvents_ = lost;
+    lostAt_ = clock_.now();
 }
 
 void BoardLink::deliver(const Frame& frame, Time at)
@@ -298,7 +359,11 @@ void BoardLink::deliver(const Frame& frame, Time at)
     const tl::expected<Message, NakCode> message = toMessage(frame);
     if (!message) {
         // Events that are not known are those of a newer firmware.
-        unreadable_ += frame.isEvent() && message.error() == NakCode::UnknownType ? 0 : 1;
+        if (!frame.isEvent() || message.error() != NakCode::UnknownType) {
+            ++unreadable_;
+            log_.add(at, "board-unreadable", "a message that cannot be read: " + toText(message.error()),
+                     encodeFrame(frame));
+        }
         return;
     }
     if (std::holds_alternative<HelloReply>(*message)) {
@@ -306,14 +371,17 @@ void BoardLink::deliver(const Frame& frame, Time at)
         sync_.restart();
         newestBoardUs_ = 0;
     }
-    Received received{*message, frame.seq, at, std::nullopt, ++order_};
-    if (const auto stamp = stampOf(received.message))
+    Received received{*message, frame.seq, at, std::nullopt, Time{0}, ++order_};
+    if (const auto stamp = stampOf(received.message)) {
         received.happened = toHost(*stamp);
+        received.uncertainty = received.happened ? sync_.roundTrip() / 2 : Time{0};
+    }
     if (frame.isEvent() ? frame.type >= SliceEvent::kType : deliverReply(received, frame.type))
         inbox_.push_back(received);
     while (inbox_.size() > kMostUnfetched) {
         inbox_.pop_front();
         ++missing_;
+        log_.add(at, "board-unfetched", "messages came faster than they were fetched");
     }
 }
 
@@ -343,7 +411,7 @@ bool BoardLink::deliverReply(const Received& received, std::uint8_t type)
 
 std::optional<Time> BoardLink::toHost(std::uint64_t boardUs) const
 {
-    return sync_.isSynchronised() && sync_.roundTrip() > kSlowestRoundTrip ? std::nullopt : sync_.toHost(boardUs);
+    return isTooSlow() ? std::nullopt : sync_.toHost(boardUs);
 }
 
 void BoardLink::compareClocks(const HeartbeatReply& reply, Time sent, Time received)
@@ -354,8 +422,10 @@ void BoardLink::compareClocks(const HeartbeatReply& reply, Time sent, Time recei
     if (reply.receivedUs < newestBoardUs_)
         sync_.restart();
     newestBoardUs_ = reply.sentUs;
-    if (!sync_.add({sent, us(reply.receivedUs), us(reply.sentUs), received}))
+    if (!sync_.add({sent, us(reply.receivedUs), us(reply.sentUs), received})) {
         ++unreadable_;
+        log_.add(received, "board-times", "a heartbeat whose times cannot be");
+    }
 }
 
 }  // namespace planewright

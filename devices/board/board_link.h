@@ -54,6 +54,7 @@ public:
         std::uint16_t seq = 0;
         Time at{0};                    ///< when, host clock
         std::optional<Time> happened;  ///< an event: when that was, host clock; empty where that is not known to 5 ms
+        Time uncertainty{0};           ///< of that: half of what the quickest heartbeat took
         std::uint64_t order = 0;       ///< grows with every message
     };
 
@@ -99,6 +100,9 @@ public:
 
     /// Counters, and what was lost of late; the board's own troubles are not in it.
     LinkHealth health() const;
+    FaultLog& log() { return log_; }
+    /// Empty, or why the moments of events are not known.
+    std::string slowness() const;
     std::string name() const { return transport_->name(); }
 
 private:
@@ -116,8 +120,11 @@ private:
     /// Waits until something has come or a moment: reads, or waits for whoever reads. Gives how many bytes were read.
     Result<std::size_t> pump(std::unique_lock<std::mutex>& lock, Time until, const std::stop_token& stop);
     void deliver(const board::Frame& frame, Time at);
+    void logDamage(Time at);
     bool deliverReply(const Received& received, std::uint8_t type);
     std::optional<Time> toHost(std::uint64_t boardUs) const;
+    bool isTooSlow() const;
+    std::string slownessText() const;
     void compareClocks(const board::HeartbeatReply& reply, Time sent, Time received);
 
     const std::unique_ptr<Transport> transport_;
@@ -145,6 +152,7 @@ private:
     std::uint64_t unreadable_ = 0;
     std::uint64_t lostEvents_ = 0;
     Time lostAt_{0};
+    FaultLog log_;
 };
 
 }  // namespace planewright

@@ -57,6 +57,37 @@ std::string toText(Fault fault)
     return "fault " + std::to_string(static_cast<int>(fault));
 }
 
+std::string codeOf(Fault fault)
+{
+    switch (fault) {
+        case Fault::None:
+            return "board-stopped";
+        case Fault::Watchdog:
+            return "board-watchdog";
+        case Fault::NoSync:
+            return "board-no-sync";
+        case Fault::Stall:
+            return "board-stall";
+        case Fault::ServoSilent:
+            return "board-servo-silent";
+        case Fault::Overload:
+            return "board-overload";
+        case Fault::Overheat:
+            return "board-overheat";
+        case Fault::Voltage:
+            return "board-voltage";
+        case Fault::ServoRefused:
+            return "board-servo-refused";
+        case Fault::WheelMode:
+            return "board-wheel-mode";
+        case Fault::Jump:
+            return "board-jump";
+        case Fault::Firmware:
+            return "board-firmware";
+    }
+    return "board-fault-" + std::to_string(static_cast<int>(fault));
+}
+
 std::string toText(NakCode code)
 {
     switch (code) {

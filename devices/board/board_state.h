@@ -53,6 +53,8 @@ enum class Capability : std::uint32_t {
 std::string toText(State state);
 /// "the motor did not get to its goal: something holds it".
 std::string toText(Fault fault);
+/// "board-overload": for the log.
+std::string codeOf(Fault fault);
 /// "a value is out of range".
 std::string toText(NakCode code);
 /// "RX-64", or "servo model 77" for one that has no name here.

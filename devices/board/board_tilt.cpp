@@ -48,6 +48,8 @@ Result<void> BoardTilt::connect(const std::stop_token& stop)
     const std::scoped_lock lock(holding_);
     // One that was stopped in an emergency before must not be stopped once more, which would make it limp.
     isStopped_ = reply != nullptr && reply->state == State::Estopped;
+    isHeldByUs_ = false;
+    waitsSince_.reset();
     isConnected_ = true;
     return {};
 }
@@ -131,59 +133,114 @@ Result<void> BoardTilt::arm(const std::stop_token& stop)
         return failure(ErrorCode::NoDevice, "is not connected");
     isHeld_ = false;
     tracker_.setDisarmed();
-    if (Result<void> cleared = clearEmergency(stop); !cleared)
-        return cleared;
+    if (Result<void> takenBack = takeBackHold(stop); !takenBack)
+        return takenBack;
     if (!isConfigured_) {
         if (Result<void> greeted = greet(link_.patience(), stop); !greeted)
             return greeted;
     }
     if (Result<void> drained = drain(); !drained)
         return drained;
-    if (Result<void> cleared = clearFault(stop); !cleared)
-        return cleared;
+    if (Result<void> free = mustNotWaitForAnybody(stop); !free)
+        return free;
     if (Result<void> beaten = link_.synchronise(stop); !beaten)
         return beaten;
     return sendArm(stop);
 }
 
-/// Ends an emergency stop of ours. Who stops meanwhile waits until that is over, so that his stop is the first one
-/// again.
-Result<void> BoardTilt::clearEmergency(const std::stop_token& stop)
+/// After an ESTOP without an answer: whether it came is not known, and done twice it would take the torque away.
+Result<void> BoardTilt::learnFateOfHold(const std::stop_token& stop)
 {
-    const std::scoped_lock lock(holding_);
-    if (estop_) {
-        // Whether it came is not known; done twice it would take the torque away.
-        const Result<Received> answered = link_.ask(*estop_, {}, link_.patience(), stop);
-        if (!answered)
-            return tl::unexpected(answered.error());
-        estop_.reset();
-        isStopped_ = true;
-    }
-    link_.setBeating(true);
-    if (!isStopped_)
+    if (!estop_)
         return {};
-    const Result<Received> cleared = askUnlessHeld(ClearFault{}, stop);
-    if (!cleared)
-        return tl::unexpected(cleared.error());
-    isStopped_ = false;
+    const Result<Received> answered = link_.ask(*estop_, {}, link_.patience(), stop);
+    if (!answered)
+        return tl::unexpected(answered.error());
+    estop_.reset();
+    isStopped_ = true;
+    isHeldByUs_ = true;
     return {};
 }
 
-/// Ends what the board stopped for by itself: a fault, or the button for emergencies.
-Result<void> BoardTilt::clearFault(const std::stop_token& stop)
+/// Ends an emergency stop of ours. Who stops meanwhile waits until that is over, so that his stop is the first one
+/// again.
+Result<void> BoardTilt::takeBackHold(const std::stop_token& stop)
+{
+    const std::scoped_lock lock(holding_);
+    if (Result<void> known = learnFateOfHold(stop); !known)
+        return known;
+    link_.setBeating(true);
+    return isStopped_ && isHeldByUs_ ? clear(stop) : Result<void>{};
+}
+
+Result<StatusReply> BoardTilt::readStatus(const std::stop_token& stop)
 {
     const Result<Received> status = ask(GetStatus{}, stop);
     if (!status)
         return tl::unexpected(status.error());
-    const auto* reply = std::get_if<StatusReply>(&status->message);
-    if (reply == nullptr || (reply->state != State::Fault && reply->state != State::Estopped))
-        return {};
-    const Result<Received> cleared = askUnlessHeld(ClearFault{}, stop);
+    const auto* const reply = std::get_if<StatusReply>(&status->message);
+    return reply != nullptr ? *reply : StatusReply{};
+}
+
+/// A board that has stopped by itself, or by its button, waits for a person.
+Result<void> BoardTilt::mustNotWaitForAnybody(const std::stop_token& stop)
+{
+    const Result<StatusReply> status = readStatus(stop);
+    if (!status)
+        return tl::unexpected(status.error());
+    if (status->state == State::Estopped)
+        return failure(ErrorCode::NeedsOperator,
+                       "was stopped in an emergency, by its button or by another program; see to the cause, then "
+                       "recover it");
+    if (status->state == State::Fault)
+        return failure(ErrorCode::NeedsOperator,
+                       "has stopped: " + toText(status->fault) + "; see to the cause, then recover it");
+    // One that has started anew is not stopped any more, and a hold() must stop it again.
+    const std::scoped_lock lock(holding_);
+    isStopped_ = isStopped_ && isHeld_;
+    return {};
+}
+
+Result<void> BoardTilt::recover(const std::stop_token& stop)
+{
+    if (!isConnected_)
+        return failure(ErrorCode::NoDevice, "is not connected");
+    const std::scoped_lock lock(holding_);
+    if (Result<void> known = learnFateOfHold(stop); !known)
+        return known;
+    const Result<StatusReply> status = readStatus(stop);
+    if (!status)
+        return tl::unexpected(status.error());
+    if (status->state == State::Estopped || status->state == State::Fault) {
+        if (Result<void> cleared = clear(stop); !cleared)
+            return cleared;
+    }
+    if (Result<void> drained = drain(); !drained)
+        return drained;
+    (void)tracker_.takeTrouble();
+    const std::scoped_lock shown(shown_);
+    trouble_.clear();
+    return {};
+}
+
+/// CLEAR_FAULT, which a board obeys where the cause is gone.
+Result<void> BoardTilt::clear(const std::stop_token& stop)
+{
+    const Result<Received> cleared = ask(ClearFault{}, stop);
     if (!cleared)
         return tl::unexpected(cleared.error());
-    const auto* now = std::get_if<ClearFaultReply>(&cleared->message);
-    if (now == nullptr || now->state == State::Fault)
-        return failure(ErrorCode::DeviceLost, "cannot be armed: " + toText(reply->fault));
+    const auto* const now = std::get_if<ClearFaultReply>(&cleared->message);
+    if (now != nullptr && now->state == State::Estopped)
+        return failure(ErrorCode::NeedsOperator,
+                       "stays stopped: its button for emergencies is still pressed; release it, then recover it again");
+    if (now == nullptr || now->state == State::Fault) {
+        const Result<StatusReply> status = readStatus(stop);
+        return failure(ErrorCode::NeedsOperator,
+                       "cannot be released: " + (status ? toText(status->fault) : status.error().message) +
+                           "; see to the cause, then recover it again");
+    }
+    isStopped_ = false;
+    isHeldByUs_ = false;
     return {};
 }
 
@@ -224,6 +281,7 @@ Result<void> BoardTilt::hold()
             return failure(reply.error().code, "did not answer the emergency stop: " + reply.error().message);
         estop_.reset();
         isStopped_ = true;
+        isHeldByUs_ = true;
         link_.setBeating(true);
     }
     return {};

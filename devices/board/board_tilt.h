@@ -43,8 +43,12 @@ struct BoardSweep {
 /// A tilt unit behind a control board that speaks NTB/1 (resources/manual/board-protocol.md).
 ///
 /// The heartbeat goes out while a call waits; sample() must be called often while the motor is armed, since the board
-/// stops the motor when none comes for `watchdog`. After everything that stops the motor, sample() and moveTo() give an
-/// error once that says why, and nothing moves until arm().
+/// stops the motor when none comes for `watchdog`. After everything that stops the motor but hold() and stop(),
+/// sample() gives an error once that says why (NeedsOperator), and nothing moves until arm(); where the board is
+/// ESTOPPED or in FAULT, arm() refuses until recover(). A hold() of this driver's own is taken back by arm().
+///
+/// sample() gives DeviceLost where no angle with a known moment has come for a second, or for three times the time
+/// between two.
 class BoardTilt : public TiltUnit {
 public:
     BoardTilt(std::unique_ptr<Transport> transport, const Clock& clock, const BoardTiltOptions& options);
@@ -56,15 +60,17 @@ public:
     double highest() const override { return scale_.highest(); }
     double fastest() const override { return scale_.fastest(); }
     Result<void> arm(const std::stop_token& stop) override;
+    /// Errors (NeedsOperator): the board stays in FAULT, or its button for emergencies is still pressed.
+    Result<void> recover(const std::stop_token& stop) override;
     Result<void> moveTo(double pitch, double speed) override;
     double nearestPitch(double pitch) const override { return scale_.pitch(scale_.nearest(pitch)); }
     Result<std::optional<TiltSample>> sample(std::chrono::nanoseconds deadline, const std::stop_token& stop) override;
+    Result<void> stop() override;
     Result<void> hold() override;
     LinkHealth health() const override;
+    std::vector<FaultRecord> takeLog() override { return link_.log().take(); }
     MotorState motor() const override;
 
-    /// Comes to rest in order and holds, until arm(). Not for emergencies.
-    Result<void> stop();
     /// Notes the angle at the laser's next sync edge. Errors (Usage): one is being waited for, or there is no sync
     /// wire.
     Result<void> trigger(std::uint32_t number);
@@ -84,8 +90,11 @@ private:
     Result<void> introduce(const board::HelloReply& board);
     Result<void> configure(const std::stop_token& stop);
     Result<void> compareClocks(const std::stop_token& stop);
-    Result<void> clearEmergency(const std::stop_token& stop);
-    Result<void> clearFault(const std::stop_token& stop);
+    Result<void> learnFateOfHold(const std::stop_token& stop);
+    Result<void> takeBackHold(const std::stop_token& stop);
+    Result<board::StatusReply> readStatus(const std::stop_token& stop);
+    Result<void> mustNotWaitForAnybody(const std::stop_token& stop);
+    Result<void> clear(const std::stop_token& stop);
     Result<void> sendArm(const std::stop_token& stop);
     Result<void> mayMove();
     Result<void> begin(const board::Message& motion, std::optional<int> goal);
@@ -94,6 +103,8 @@ private:
     Result<void> drain();
     Result<void> askForStatus();
     Result<void> reportTrouble(const std::stop_token& stop);
+    Result<void> mustGiveAngles();
+    std::chrono::nanoseconds longestWithoutAngle() const;
     /// Passes on why the board is lost; nothing moves any more then.
     tl::unexpected<Error> lost(const Error& why);
     void publish();
@@ -108,15 +119,18 @@ private:
     bool isConfigured_ = false;  ///< the board knows our limits
     BoardTracker tracker_;
     std::chrono::nanoseconds nextStatus_{0};
+    std::optional<std::chrono::nanoseconds> waitsSince_;  ///< for an angle, in sample()
 
     std::atomic<bool> isHeld_{false};
     std::mutex holding_;                       ///< one at a time stops in an emergency, or ends that
     std::optional<BoardLink::Request> estop_;  ///< sent and not answered yet: only ever the same one again
-    bool isStopped_ = false;                   ///< the board has answered ESTOP
+    bool isStopped_ = false;                   ///< the board is ESTOPPED: one more ESTOP would make it limp
+    bool isHeldByUs_ = false;                  ///< it is that by our own hold()
 
     mutable std::mutex shown_;
     MotorState shownMotor_;
     std::string trouble_;
+    ErrorCode troubleCode_ = ErrorCode::DeviceLost;
     std::string notice_;
     std::uint64_t late_ = 0;
     std::uint64_t outOfOrder_ = 0;

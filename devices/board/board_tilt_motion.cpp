@@ -18,6 +18,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::chrono::nanoseconds kStatusEvery = 1s;
+/// Without an angle for so long, or for so many times the time between two, there will be none.
+constexpr std::chrono::nanoseconds kLongestWithoutAngle = 1s;
+constexpr int kMissingAngles = 3;
 
 std::string whyItStarted(std::uint8_t reset)
 {
@@ -102,14 +105,19 @@ Result<std::optional<TiltSample>> BoardTilt::sample(std::chrono::nanoseconds dea
         if (const Result<void> greeted = greet(link_.patience(), stop); !greeted)
             return tl::unexpected(greeted.error());
     }
+    if (!waitsSince_)
+        waitsSince_ = clock_.now();
     for (;;) {
-        if (const auto sample = tracker_.takeSample())
+        if (const auto sample = tracker_.takeSample()) {
+            waitsSince_.reset();
             return sample;
+        }
         if (clock_.now() >= nextStatus_) {
             if (const Result<void> asked = askForStatus(); !asked)
                 return tl::unexpected(asked.error());
         }
-        const Result<std::optional<Received>> received = link_.next(std::min(deadline, nextStatus_), stop);
+        const auto until = std::min({deadline, nextStatus_, *waitsSince_ + longestWithoutAngle()});
+        const Result<std::optional<Received>> received = link_.next(until, stop);
         if (!received)
             return lost(received.error());
         if (*received) {
@@ -119,10 +127,29 @@ Result<std::optional<TiltSample>> BoardTilt::sample(std::chrono::nanoseconds dea
             publish();
             if (const Result<void> fine = reportTrouble(stop); !fine)
                 return tl::unexpected(fine.error());
+        } else if (const Result<void> angles = mustGiveAngles(); !angles) {
+            return tl::unexpected(angles.error());
         } else if (clock_.now() >= deadline || stop.stop_requested()) {
             return std::nullopt;
         }
     }
+}
+
+std::chrono::nanoseconds BoardTilt::longestWithoutAngle() const
+{
+    return std::max(kLongestWithoutAngle, kMissingAngles * std::chrono::nanoseconds{1s} / options_.positionRate);
+}
+
+/// A board whose angles have no moment, or that tells none, is of no use: that must not look like patience.
+Result<void> BoardTilt::mustGiveAngles()
+{
+    if (clock_.now() < *waitsSince_ + longestWithoutAngle())
+        return {};
+    waitsSince_.reset();
+    const std::string slowness = link_.slowness();
+    const std::string what = slowness.empty() ? "sends no angles any more; unplug it and plug it in again" : slowness;
+    link_.log().add(clock_.now(), slowness.empty() ? "board-no-angles" : "board-slow", what);
+    return lost(failure(ErrorCode::DeviceLost, what).value());
 }
 
 Result<void> BoardTilt::begin(const Message& motion, std::optional<int> goal)
@@ -135,8 +162,13 @@ Result<void> BoardTilt::begin(const Message& motion, std::optional<int> goal)
             return failure(ErrorCode::Interrupted, "is held; arm it before it moves");
         if (nak->code == NakCode::Range)
             return failure(ErrorCode::Usage, "refuses to move there: " + toText(nak->code));
-        return failure(ErrorCode::DeviceLost, "does not move: " + toText(nak->code) + " (" +
-                                                  toText(static_cast<State>(nak->detail)) + "); arm it again");
+        const auto state = static_cast<State>(nak->detail);
+        // It was armed, and is not: nobody but a person knows why.
+        const bool isStopped = nak->code == NakCode::Estopped || nak->code == NakCode::State;
+        const bool isLatched = nak->code == NakCode::Estopped || state == State::Estopped || state == State::Fault;
+        return failure(isStopped ? ErrorCode::NeedsOperator : ErrorCode::DeviceLost,
+                       "does not move: " + toText(nak->code) + " (" + toText(state) + "); " +
+                           (isLatched ? "see to the cause, then recover it" : "look why, then arm it again"));
     }
     tracker_.setMoving(reply->seq, reply->order, goal);
     return {};
@@ -156,7 +188,7 @@ Result<void> BoardTilt::mayMove()
     if (tracker_.isArmed())
         return {};
     const std::scoped_lock lock(shown_);
-    return failure(trouble_.empty() ? ErrorCode::Usage : ErrorCode::DeviceLost,
+    return failure(trouble_.empty() ? ErrorCode::Usage : troubleCode_,
                    "is not armed; arm it before it moves" + (trouble_.empty() ? "" : ". Before: " + trouble_));
 }
 
@@ -219,18 +251,24 @@ Result<void> BoardTilt::askForStatus()
 /// What stopped the motor, once. A board that has started anew is greeted again, and waits to be armed.
 Result<void> BoardTilt::reportTrouble(const std::stop_token& stop)
 {
-    std::optional<std::string> what = tracker_.takeTrouble();
+    std::optional<BoardTrouble> what = tracker_.takeTrouble();
     if (!what)
         return {};
     if (tracker_.takeReset()) {
         if (Result<void> greeted = greet(link_.patience(), stop); !greeted)
             return greeted;
-        *what += ": " + std::string{whyItStarted(board_.reset)};
+        what->text += ": " + std::string{whyItStarted(board_.reset)};
     }
-    *what += "; arm it again to go on";
+    link_.log().add(clock_.now(), what->code, what->text);
+    what->text += what->isLatched ? "; see to the cause, then recover it" : "; look why, then arm it again to go on";
+    if (what->isEstop()) {
+        const std::scoped_lock lock(holding_);
+        isStopped_ = true;
+    }
     const std::scoped_lock lock(shown_);
-    trouble_ = *what;
-    return failure(ErrorCode::DeviceLost, *what);
+    trouble_ = what->text;
+    troubleCode_ = ErrorCode::NeedsOperator;
+    return failure(ErrorCode::NeedsOperator, what->text);
 }
 
 tl::unexpected<Error> BoardTilt::lost(const Error& why)
@@ -238,6 +276,7 @@ tl::unexpected<Error> BoardTilt::lost(const Error& why)
     tracker_.setDisarmed();
     const std::scoped_lock lock(shown_);
     trouble_ = why.message;
+    troubleCode_ = why.code;
     return tl::unexpected(why);
 }
 

@@ -91,7 +91,7 @@ std::vector<BoardSlice> BoardTracker::takeSlices()
     return std::exchange(slices_, {});
 }
 
-std::optional<std::string> BoardTracker::takeTrouble()
+std::optional<BoardTrouble> BoardTracker::takeTrouble()
 {
     return std::exchange(trouble_, std::nullopt);
 }
@@ -135,14 +135,15 @@ void BoardTracker::takeOne(const PositionEvent& event, const BoardLink::Received
     if (received.at - *received.happened > latest_)
         ++late_;
     if (std::exchange(looksAtGoal_, false) && goal_ && std::abs(event.pos - *goal_) > tolerance_ + 1) {
-        disarm("says that it has arrived, but the angle it measures is " +
-               toDegreesText(std::abs(event.pos - *goal_) * scale_.step()) +
-               " away from where it was to go; look whether the motor or its horn slips");
+        disarm({"board-slip", "says that it has arrived, but the angle it measures is " +
+                                  toDegreesText(std::abs(event.pos - *goal_) * scale_.step()) +
+                                  " away from where it was to go; look whether the motor or its horn slips"});
     }
     const bool hasMoved = lastPosition_ && std::abs(event.pos - *lastPosition_) > 1;
     lastPosition_ = event.pos;
     lastSampleAt_ = *received.happened;
-    push(samples_, kMostSamples, {*received.happened, scale_.pitch(event.pos), isMoving_ || hasMoved});
+    push(samples_, kMostSamples,
+         {*received.happened, scale_.pitch(event.pos), isMoving_ || hasMoved, received.uncertainty});
 }
 
 void BoardTracker::takeOne(const SliceEvent& event, const BoardLink::Received& received)
@@ -166,7 +167,7 @@ void BoardTracker::takeOne(const FaultEvent& event, const BoardLink::Received& r
     if (received.order < armedOrder_)
         return;
     if (event.state == State::Stopped || event.state == State::Fault)
-        disarm("reports: " + toText(event.code));
+        disarm({codeOf(event.code), "reports: " + toText(event.code), event.state == State::Fault});
     else
         notice_ = toText(event.code);
 }
@@ -175,8 +176,8 @@ void BoardTracker::takeOne(const LimitEvent& event, const BoardLink::Received& r
 {
     if (received.order < armedOrder_)
         return;
-    disarm("stopped the motor " + toDegreesText(std::abs(event.pos - event.limit) * scale_.step()) +
-           " beyond its limit; look what pushed it there");
+    disarm({"board-limit", "stopped the motor " + toDegreesText(std::abs(event.pos - event.limit) * scale_.step()) +
+                               " beyond its limit; look what pushed it there"});
 }
 
 /// What a state means that the board told of after it was last told to change it.
@@ -193,14 +194,16 @@ void BoardTracker::look(State state, Fault fault, std::uint64_t order)
         case State::Sweeping:
             break;
         case State::Unarmed:
-            disarm("was disarmed, by another program or by a start of its own");
+            disarm({"board-disarmed", "was disarmed, by another program or by a start of its own"});
             break;
         case State::Stopped:
         case State::Fault:
-            disarm(fault == Fault::None ? "was stopped by another program" : "reports: " + toText(fault));
+            disarm({codeOf(fault),
+                    fault == Fault::None ? "was stopped by another program" : "reports: " + toText(fault),
+                    state == State::Fault});
             break;
         case State::Estopped:
-            disarm("was stopped in an emergency");
+            disarm({"board-estop", "was stopped in an emergency, by its button or by another program", true});
             break;
     }
 }
@@ -216,10 +219,10 @@ void BoardTracker::restart()
     isReset_ = true;
     isMoving_ = false;
     isArmed_ = false;
-    trouble_ = "has started anew";
+    trouble_ = BoardTrouble{"board-reset", "has started anew"};
 }
 
-void BoardTracker::disarm(std::string why)
+void BoardTracker::disarm(BoardTrouble why)
 {
     isMoving_ = false;
     if (std::exchange(isArmed_, false))

@@ -25,6 +25,15 @@ struct BoardSlice {
     bool isSuspect = false;          ///< the board says that it guessed, or that the edge came out of turn
 };
 
+/// What stopped the motor, so that nothing moves any more until a person has looked.
+struct BoardTrouble {
+    std::string code;        ///< for the log: "board-overload"
+    std::string text;        ///< goes on where "control board: " ends
+    bool isLatched = false;  ///< the board is ESTOPPED or in FAULT, until that is cleared
+
+    bool isEstop() const { return code == "board-estop"; }
+};
+
 /// What a board says, put together: where the motor is, whether it moves, what went wrong. Pure: messages in, state
 /// out.
 class BoardTracker {
@@ -49,7 +58,7 @@ public:
     std::optional<TiltSample> takeSample();
     std::vector<BoardSlice> takeSlices();
     /// What went wrong since the last time; the board is disarmed then. Empty: nothing.
-    std::optional<std::string> takeTrouble();
+    std::optional<BoardTrouble> takeTrouble();
     /// True once after the board has started anew.
     bool takeReset();
 
@@ -70,7 +79,7 @@ private:
     void look(board::State state, board::Fault fault, std::uint64_t order);
     void arrive();
     void restart();
-    void disarm(std::string why);
+    void disarm(BoardTrouble why);
 
     board::Scale scale_;
     int tolerance_ = 0;
@@ -89,7 +98,7 @@ private:
     Time lastSampleAt_{0};
     std::deque<TiltSample> samples_;
     std::vector<BoardSlice> slices_;
-    std::optional<std::string> trouble_;
+    std::optional<BoardTrouble> trouble_;
     MotorState motor_;
     std::string notice_;
     std::uint64_t late_ = 0;

@@ -21,6 +21,7 @@ constexpr unsigned kFarthest = kEventNumbers / 2;
 std::vector<Frame> FrameParser::push(std::span<const std::uint8_t> bytes)
 {
     std::vector<Frame> frames;
+    damaged_.clear();
     for (const std::uint8_t byte : bytes) {
         if (byte == 0)
             endFrame(frames);
@@ -36,14 +37,14 @@ std::vector<Frame> FrameParser::push(std::span<const std::uint8_t> bytes)
 
 void FrameParser::endFrame(std::vector<Frame>& frames)
 {
-    const std::vector<std::uint8_t> bytes = std::exchange(pending_, {});
+    std::vector<std::uint8_t> bytes = std::exchange(pending_, {});
     if (std::exchange(isTooLong_, false))
-        return throwAway(Damage::Length, bytes.size());
+        return throwAway(Damage::Length, std::move(bytes));
     if (bytes.empty())
         return;  // a sender may begin with a 0x00 to end what came before
     tl::expected<Frame, Damage> frame = decodeFrame(bytes);
     if (!frame)
-        return throwAway(frame.error(), bytes.size());
+        return throwAway(frame.error(), std::move(bytes));
     if (frame->isEvent() && !countEvent(*frame))
         return;
     if (frame->type == HelloReply::kType)
@@ -52,9 +53,11 @@ void FrameParser::endFrame(std::vector<Frame>& frames)
     frames.push_back(std::move(*frame));
 }
 
-void FrameParser::throwAway(Damage damage, std::size_t bytes)
+void FrameParser::throwAway(Damage damage, std::vector<std::uint8_t> bytes)
 {
-    counters_.lostBytes += bytes;
+    counters_.lostBytes += bytes.size();
+    if (damaged_.size() < kMostDamaged)
+        damaged_.push_back({damage, std::move(bytes)});
     switch (damage) {
         case Damage::Cobs:
             ++counters_.cobs;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -35,13 +36,23 @@ public:
 
     const Counters& counters() const { return counters_; }
 
+    /// A frame that was thrown away.
+    struct Damaged {
+        Damage damage;
+        std::vector<std::uint8_t> bytes;  ///< of one that was too long only the beginning
+    };
+    /// Those of the last push(), kMostDamaged at most.
+    const std::vector<Damaged>& damaged() const { return damaged_; }
+    static constexpr std::size_t kMostDamaged = 20;
+
 private:
     void endFrame(std::vector<Frame>& frames);
-    void throwAway(Damage damage, std::size_t bytes);
+    void throwAway(Damage damage, std::vector<std::uint8_t> bytes);
     /// False for an event that has been there.
     bool countEvent(const Frame& frame);
 
     Counters counters_;
+    std::vector<Damaged> damaged_;
     std::vector<std::uint8_t> pending_;
     bool isTooLong_ = false;
     std::optional<std::uint16_t> nextEvent_;

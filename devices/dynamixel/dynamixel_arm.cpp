@@ -60,11 +60,11 @@ Result<void> DynamixelTilt::standStill()
     if (!drive)
         return tl::unexpected(drive.error());
     if (drive->isShutDown)
-        return disarm(ErrorCode::DeviceLost,
+        return disarm(ErrorCode::NeedsOperator, "servo-off",
                       withNumbers("was turned off by an alarm") + "; see to the cause, then recover it");
     const int goal = std::clamp(state->position, settings_.lowestGoal, settings_.highestGoal);
     if (std::abs(double(goal) - state->position) > settings_.tolerance)
-        return fail(ErrorCode::DeviceLost,
+        return fail(ErrorCode::NeedsOperator,
                     link_.subject() + " stands at " + angleText(angles_.pitch(state->position)) +
                         ", beyond its own angle limits; turn it back by hand, then arm it again");
     if (model_->table->watchdog.exists() && settings_.firmware >= kFirmwareWithWatchdog) {
@@ -84,11 +84,13 @@ Result<void> DynamixelTilt::turnTorqueOn()
     if (!drive)
         return tl::unexpected(drive.error());
     if (!drive->torqueOn || drive->isShutDown)
-        return disarm(ErrorCode::DeviceLost, withNumbers("does not turn its torque on") + "; check its supply");
+        return disarm(ErrorCode::DeviceLost, "servo-no-torque",
+                      withNumbers("does not turn its torque on") + "; check its supply");
     const int goal = shared().goal;
     if (drive->goal != goal)
-        return disarm(ErrorCode::DeviceLost, "took " + std::to_string(drive->goal) + " for its goal and not " +
-                                                 std::to_string(goal) + "; is another program moving it?");
+        return disarm(ErrorCode::DeviceLost, "servo-other-goal",
+                      "took " + std::to_string(drive->goal) + " for its goal and not " + std::to_string(goal) +
+                          "; is another program moving it?");
     return {};
 }
 
@@ -153,9 +155,9 @@ Result<void> DynamixelTilt::recover(const std::stop_token& stop)
     if (model_ == nullptr)
         return fail(ErrorCode::Usage, link_.subject() + " is not connected");
     if (wasRecovered_)
-        return fail(ErrorCode::DeviceLost, link_.subject() +
-                                               " was recovered before, so that its cause is still there; "
-                                               "see to it, then connect again");
+        return fail(ErrorCode::NeedsOperator, link_.subject() +
+                                                  " was recovered before, so that its cause is still there; "
+                                                  "see to it, then connect again");
     const auto reply = need(link_.readState(*model_->table, image_), ErrorCode::DeviceLost);
     if (!reply)
         return tl::unexpected(reply.error());
@@ -169,11 +171,12 @@ Result<void> DynamixelTilt::recover(const std::stop_token& stop)
         return {};
     }
     if (state.temperature >= settings_.temperatureLimit - kCooled)
-        return disarm(ErrorCode::DeviceLost, withNumbers("is too warm") + "; wait until it is below " +
-                                                 numberText(settings_.temperatureLimit - kCooled, 0) +
-                                                 " °C, then recover it again");
+        return disarm(ErrorCode::NeedsOperator, "servo-warm",
+                      withNumbers("is too warm") + "; wait until it is below " +
+                          numberText(settings_.temperatureLimit - kCooled, 0) + " °C, then recover it again");
     if (state.voltage < settings_.lowestVoltage || state.voltage > settings_.highestVoltage)
-        return disarm(ErrorCode::DeviceLost, withNumbers("has a wrong supply") + "; see to it, then recover it again");
+        return disarm(ErrorCode::NeedsOperator, "servo-supply",
+                      withNumbers("has a wrong supply") + "; see to it, then recover it again");
     wasRecovered_ = true;
     lastAlarm_.reset();
     Result<void> done = model_->protocol == DynamixelProtocol::One ? recoverOne() : recoverTwo(stop);

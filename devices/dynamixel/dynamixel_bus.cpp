@@ -53,6 +53,7 @@ Result<ServoReply> DynamixelBus::ask(const ServoQuestion& question)
         return tl::unexpected(heard.error());
     finish(bytes.size(), reply);
     count(reply);
+    logFault(reply, bytes);
     return reply;
 }
 
@@ -72,6 +73,8 @@ Result<void> DynamixelBus::listen(const ServoQuestion& question, std::span<const
             break;
         const std::vector<std::uint8_t> rest = echo.push(std::span{buffer}.first(arrival->count));
         heard += rest.size();
+        const std::size_t room = FaultLog::kMostBytes - reply.heard.size();
+        reply.heard.insert(reply.heard.end(), rest.begin(), rest.begin() + std::min(room, rest.size()));
         for (const DynamixelPacket& packet : parser.push(rest))
             take(question, packet, arrival->at, reply);
         if (clock_.now() > deadline)
@@ -160,6 +163,32 @@ void DynamixelBus::restartCounts()
     const std::scoped_lock lock(mutex_);
     health_ = {};
     answered_.clear();
+    log_.restartCounts();
+    (void)log_.take();
+}
+
+/// Of silence the question is logged, of everything else what came.
+void DynamixelBus::logFault(const ServoReply& reply, std::span<const std::uint8_t> sent)
+{
+    if (const std::uint64_t overruns = transport_.health().overruns; overruns != overruns_) {
+        log_.add(
+            clock_.now(), "adapter-overrun",
+            "the adapter lost bytes " + std::to_string(overruns - overruns_) + " times: they were not fetched in time",
+            reply.heard);
+        overruns_ = overruns;
+    }
+    switch (reply.kind) {
+        case ServoReply::Kind::Answered:
+        case ServoReply::Kind::Echo:
+            return;
+        case ServoReply::Kind::Silent:
+            return log_.add(clock_.now(), "servo-silent", "a question was not answered", sent);
+        case ServoReply::Kind::Damaged:
+            return log_.add(clock_.now(), "servo-damaged", "an answer came damaged", reply.heard);
+        case ServoReply::Kind::OtherNumber:
+            return log_.add(clock_.now(), "servo-other-number",
+                            "servo " + std::to_string(reply.otherNumber) + " answered in its place", reply.heard);
+    }
 }
 
 void DynamixelBus::countLate()
@@ -193,6 +222,10 @@ LinkHealth DynamixelBus::health() const
 {
     const std::scoped_lock lock(mutex_);
     LinkHealth health = health_;
+    health.faults = log_.counts();
+    const TransportHealth transport = transport_.health();
+    health.overruns = transport.overruns;
+    health.trouble = transport.trouble;
     const Time now = clock_.now();
     health.rate = 0.0;
     for (const Time at : answered_)

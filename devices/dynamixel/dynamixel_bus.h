@@ -10,6 +10,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "devices/clock.h"
 #include "devices/dynamixel/packet.h"
@@ -44,6 +45,7 @@ struct ServoReply {
     bool heardEcho = false;                   ///< our own bytes came back
     int answers = 0;                          ///< sound answers of this number
     int otherNumber = -1;                     ///< the number of a servo that answered in its place
+    std::vector<std::uint8_t> heard;          ///< the first bytes that came for it, FaultLog::kMostBytes at most
 };
 
 /// Question and answer on a half duplex bus. One thread at a time; health() may be called by any.
@@ -75,12 +77,13 @@ public:
     /// Listens for a time and throws away what comes.
     Result<void> pause(std::chrono::nanoseconds time, const std::stop_token& stop);
 
-    /// Counts from 0 again.
+    /// Counts from 0 again, with an empty log.
     void restartCounts();
     /// Counts an answer whose moment is too uncertain to be used.
     void countLate();
 
     LinkHealth health() const;
+    FaultLog& log() { return log_; }
     std::string name() const { return transport_.name(); }
 
 private:
@@ -92,16 +95,19 @@ private:
     void take(const ServoQuestion& question, const DynamixelPacket& packet, Time arrived, ServoReply& reply) const;
     void finish(std::size_t sentBytes, ServoReply& reply) const;
     void count(const ServoReply& reply);
+    void logFault(const ServoReply& reply, std::span<const std::uint8_t> sent);
 
     Transport& transport_;
     const Clock& clock_;
     Settings settings_;
     DynamixelProtocol protocol_ = DynamixelProtocol::One;
     Time returnDelay_;
+    std::uint64_t overruns_ = 0;  ///< of the transport, that are in the log
 
     mutable std::mutex mutex_;  ///< over what follows
     LinkHealth health_;
     std::deque<Time> answered_;  ///< answers of the last second
+    FaultLog log_;
 };
 
 }  // namespace planewright

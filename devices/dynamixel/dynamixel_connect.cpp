@@ -154,7 +154,7 @@ Result<void> DynamixelTilt::look(const ServoReply& reply)
     if (const auto sound = checkAlarm(reply); !sound)
         return {};  // arm() refuses, and recover() needs a servo that is connected
     if (drive.isShutDown) {
-        disarm(ErrorCode::DeviceLost, "was turned off by an alarm; see to the cause, then recover it");
+        disarm(ErrorCode::NeedsOperator, "servo-off", "was turned off by an alarm; see to the cause, then recover it");
         return {};
     }
     return stopWhatWasLeft();

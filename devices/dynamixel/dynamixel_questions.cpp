@@ -33,7 +33,10 @@ Result<ServoReply> DynamixelTilt::need(Result<ServoReply> reply, ErrorCode code)
     if (error.code == ErrorCode::DeviceLost || error.code == ErrorCode::Internal) {
         isArmed_ = false;
         mayHaveReset_ = true;
-        share([&](Shared& shared) { shared.trouble = error.message; });
+        share([&](Shared& shared) {
+            shared.trouble = error.message;
+            shared.troubleCode = ErrorCode::DeviceLost;
+        });
     }
     return tl::unexpected(error);
 }
@@ -124,22 +127,23 @@ Result<void> DynamixelTilt::checkAlarm(const ServoReply& reply)
         return {};
     }
     if (model_->protocol == DynamixelProtocol::One)
-        return raiseAlarm(error.alarm);
+        return raiseAlarm(error.alarm, reply);
     const Result<ServoDrive> drive = readDrive();
     if (!drive)
         return tl::unexpected(drive.error());
-    return raiseAlarm(drive->alarm);
+    return raiseAlarm(drive->alarm, reply);
 }
 
 /// Ends the motion. Where the alarm has not turned it off, it is told to stay where it is; nothing turns it on again.
-tl::unexpected<Error> DynamixelTilt::raiseAlarm(const ServoAlarm& alarm)
+tl::unexpected<Error> DynamixelTilt::raiseAlarm(const ServoAlarm& alarm, const ServoReply& told)
 {
     const std::string what = "reports an alarm (" + (alarm.any() ? alarm.text() : std::string{"unknown"}) + ")";
     const bool turnsOff = (alarmBits(model_->protocol, alarm) & alarmBits(model_->protocol, settings_.shutdown)) != 0;
     const std::string then = turnsOff ? ". It has turned itself off; see to the cause, then recover it"
                                       : ". It was told to stay where it is; see to the cause, then arm it again";
     isArmed_ = false;
-    if (lastAlarm_ != alarm) {
+    const bool isNews = lastAlarm_ != alarm;
+    if (isNews) {
         lastAlarm_ = alarm;
         const Result<ServoDrive> drive = readDrive();
         const Result<ServoReply> reply = link_.readState(*model_->table, image_);
@@ -150,14 +154,21 @@ tl::unexpected<Error> DynamixelTilt::raiseAlarm(const ServoAlarm& alarm)
                 writeGoal(state.position);
         }
     }
-    return disarm(ErrorCode::DeviceLost, withNumbers(what) + then);
+    return disarm(ErrorCode::NeedsOperator, isNews ? "servo-alarm" : "", withNumbers(what) + then, told.heard);
 }
 
-tl::unexpected<Error> DynamixelTilt::disarm(ErrorCode code, const std::string& trouble)
+/// An empty `fault` was logged before.
+tl::unexpected<Error> DynamixelTilt::disarm(ErrorCode code, std::string_view fault, const std::string& trouble,
+                                            std::span<const std::uint8_t> bytes)
 {
     isArmed_ = false;
     const std::string message = link_.subject() + " " + trouble;
-    share([&](Shared& shared) { shared.trouble = message; });
+    if (!fault.empty())
+        link_.log().add(clock_.now(), fault, message, bytes);
+    share([&](Shared& shared) {
+        shared.trouble = message;
+        shared.troubleCode = code;
+    });
     return fail(code, message);
 }
 

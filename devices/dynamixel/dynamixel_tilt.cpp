@@ -112,7 +112,7 @@ Result<std::optional<TiltSample>> DynamixelTilt::judge(const ServoReply& reply)
         return tl::unexpected(moving.error());
     if (isLate(reply) && (*moving || state.moving))
         return std::nullopt;
-    return TiltSample{reply.measured, angles_.pitch(state.position), *moving};
+    return TiltSample{reply.measured, angles_.pitch(state.position), *moving, reply.uncertainty};
 }
 
 /// After silence, or where nobody asked: a servo whose power went and came has forgotten its torque.
@@ -127,7 +127,7 @@ Result<void> DynamixelTilt::checkForReset(Time now)
         return tl::unexpected(drive.error());
     if (drive->torqueOn)
         return {};
-    return disarm(ErrorCode::DeviceLost,
+    return disarm(ErrorCode::DeviceLost, "servo-power-loss",
                   "has lost its power for a while: its torque is off, and its shaft may have "
                   "turned. Check its supply, arm it and go to the start again");
 }
@@ -149,7 +149,7 @@ Result<void> DynamixelTilt::checkForJump(const ServoState& state, Time at)
     // What it says now is no place to hold at: it holds at the last one that could be true.
     writeGoal(known.state.position);
     noteState(known.state, known.stateAt, false);
-    return disarm(ErrorCode::DeviceLost,
+    return disarm(ErrorCode::DeviceLost, "servo-jump",
                   "says that it has turned by " + angleText(distance * model_->countAngle) + " in " +
                       numberText(1000.0 * secondsOf(at - known.stateAt), 0) +
                       " ms, which it cannot. Check its supply, its gear and its cable, then connect again");
@@ -177,7 +177,7 @@ Result<bool> DynamixelTilt::followMotion(const ServoState& state, Time at)
     }
     watch_.reset();
     writeGoal(state.position);
-    return disarm(ErrorCode::DeviceLost,
+    return disarm(ErrorCode::NeedsOperator, "servo-stuck",
                   withNumbers("is stuck: it was told twice to go to " + angleText(angles_.pitch(watchedGoal_)) +
                               " and stands at " + angleText(angles_.pitch(state.position))) +
                       ". It holds there now; see what blocks it, then arm it again");
@@ -200,7 +200,10 @@ LinkHealth DynamixelTilt::health() const
 {
     LinkHealth health = link_.health();
     const Shared known = shared();
-    health.trouble = known.trouble.empty() ? known.lateness : known.trouble;
+    for (const std::string& worse : {known.lateness, known.trouble}) {
+        if (!worse.empty())
+            health.trouble = worse;
+    }
     return health;
 }
 
@@ -227,7 +230,7 @@ Result<void> DynamixelTilt::checkMayMove() const
         return {};
     const std::string trouble = shared().trouble;
     if (!trouble.empty())
-        return fail(ErrorCode::DeviceLost, trouble);
+        return fail(shared().troubleCode, trouble);
     return fail(ErrorCode::Usage, link_.subject() + " is not armed; nothing moves before");
 }
 

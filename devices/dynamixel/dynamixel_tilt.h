@@ -45,7 +45,7 @@ public:
     double highest() const override { return angles_.highestPitch(); }
     double fastest() const override { return angles_.fastest(); }
 
-    /// Torque on, where the servo stands. Errors (DeviceLost): also where an alarm has turned it off: recover() first.
+    /// Torque on, where the servo stands. Errors (NeedsOperator): an alarm has turned it off: recover() first.
     Result<void> arm(const std::stop_token& stop) override;
     Result<void> moveTo(double pitch, double speed) override;
     double nearestPitch(double pitch) const override;
@@ -56,13 +56,14 @@ public:
 
     /// Turns a servo on again, where it stands, after an alarm has turned it off and its user has seen to the cause.
     /// Once after each connect(): what happens again has a cause that is still there. Moves nothing, and arm() is still
-    /// needed. Errors (DeviceLost): too warm, supply out of range, or the alarm is still there, with the numbers.
-    Result<void> recover(const std::stop_token& stop);
+    /// needed. Errors (NeedsOperator): too warm, supply out of range, or the alarm is still there, with the numbers.
+    Result<void> recover(const std::stop_token& stop) override;
 
     /// True from the beginning of a hold() to the end of an arm(), or to a connect(). Any thread.
     bool isHeld() const { return holds_ != holdsTakenBack_; }
 
     LinkHealth health() const override;
+    std::vector<FaultRecord> takeLog() override { return link_.log().take(); }
     MotorState motor() const override;
 
 private:
@@ -76,8 +77,9 @@ private:
         bool isTrusted = false;  ///< `state` may be relied on for where it is
         ServoState state;
         Time stateAt{0};
-        int goal = 0;          ///< last one written
-        std::string trouble;   ///< of the servo
+        int goal = 0;         ///< last one written
+        std::string trouble;  ///< of the servo
+        ErrorCode troubleCode = ErrorCode::DeviceLost;
         std::string lateness;  ///< of the line
     };
 
@@ -120,8 +122,9 @@ private:
 
     // alarms and trouble
     Result<void> checkAlarm(const ServoReply& reply);
-    tl::unexpected<Error> raiseAlarm(const ServoAlarm& alarm);
-    tl::unexpected<Error> disarm(ErrorCode code, const std::string& trouble);
+    tl::unexpected<Error> raiseAlarm(const ServoAlarm& alarm, const ServoReply& told);
+    tl::unexpected<Error> disarm(ErrorCode code, std::string_view fault, const std::string& trouble,
+                                 std::span<const std::uint8_t> bytes = {});
     std::string withNumbers(const std::string& what) const;
 
     Result<void> checkMayMove() const;

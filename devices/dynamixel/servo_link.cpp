@@ -117,10 +117,12 @@ Result<ServoReply> ServoLink::ask(const std::function<ServoQuestion()>& question
         if (error.request == RequestFault::None)
             return reply;
         // A request that the line has damaged is asked again.
-        if (error.request == RequestFault::Refused || i + 1 == how.tries)
+        if (error.request == RequestFault::Refused || i + 1 == how.tries) {
+            const std::vector<std::uint8_t> packet = encodePacket(protocol_, asked.request);
+            log().add(reply->arrived, "servo-refused", "it refused a request: " + std::string{error.refusal}, packet);
             return fail(ErrorCode::Internal, subject() + " refused a request (" + std::string{error.refusal} +
-                                                 "): " + hexText(encodePacket(protocol_, asked.request)) +
-                                                 "; please report this line");
+                                                 "): " + hexText(packet) + "; please report this line");
+        }
     }
     return reply;
 }
@@ -136,8 +138,7 @@ Error ServoLink::failure(const ServoReply& reply, ErrorCode code) const
     const std::string echo =
         "the adapter sends back what is sent to it. Switch its echo off (a jumper, or \"local echo\")";
     if (reply.kind == ServoReply::Kind::Echo)
-        return {code, subject() + ": " + echo +
-                          ", or write echo=yes behind its address if it has no such switch"};
+        return {code, subject() + ": " + echo + ", or write echo=yes behind its address if it has no such switch"};
     if (reply.answers > 1)
         return {code, subject() +
                           ": two servos answer to this number. Connect them one at a time and give one of them "

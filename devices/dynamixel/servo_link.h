@@ -64,6 +64,7 @@ public:
     LinkHealth health() const { return bus_.health(); }
     void restartCounts() { bus_.restartCounts(); }
     void countLate() { bus_.countLate(); }
+    FaultLog& log() { return bus_.log(); }
 
 private:
     Result<ServoReply> ask(const std::function<ServoQuestion()>& question, const HowToAsk& how);

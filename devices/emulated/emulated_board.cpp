@@ -184,6 +184,21 @@ void EmulatedBoard::begin(BoardFault fault, Time now)
         case BoardFault::Stall:
             firmware_.servo().stall(now);
             break;
+        case BoardFault::Overload:
+            firmware_.raise(Fault::Overload, now);
+            break;
+        case BoardFault::Overheat:
+            firmware_.raise(Fault::Overheat, now);
+            break;
+        case BoardFault::Voltage:
+            firmware_.raise(Fault::Voltage, now);
+            break;
+        case BoardFault::Button:
+            firmware_.pressButton(now);
+            break;
+        case BoardFault::NoSync:
+            firmware_.loseSync();
+            break;
         case BoardFault::WrongAngle:
             firmware_.setReadingError(kReadingError);
             break;

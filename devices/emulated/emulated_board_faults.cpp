@@ -21,6 +21,11 @@ std::span<const BoardFaultKind> boardFaultKinds()
         {BoardFault::Watchdog, "board-watchdog",
          "the board misses the heartbeats, once: it stops when it is armed next, or is"},
         {BoardFault::Stall, "board-stall", "something holds the motor"},
+        {BoardFault::Overload, "board-overload", "the servo reports an overload, for three seconds"},
+        {BoardFault::Overheat, "board-overheat", "the servo is at 82 °C, for three seconds"},
+        {BoardFault::Voltage, "board-voltage", "the servo's supply falls to 9 V, for three seconds"},
+        {BoardFault::Button, "board-button", "somebody presses the button for emergencies, for two seconds"},
+        {BoardFault::NoSync, "board-no-sync", "the wire with the laser's sync pulses breaks"},
         {BoardFault::WrongAngle, "board-wrong-angle", "all positions that the board tells are 40 counts too high"},
         {BoardFault::Unplug, "board-unplug", "the board's cable is pulled out"},
     });

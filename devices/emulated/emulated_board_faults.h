@@ -23,6 +23,11 @@ enum class BoardFault {
     Reset,
     Watchdog,
     Stall,
+    Overload,
+    Overheat,
+    Voltage,
+    Button,
+    NoSync,
     WrongAngle,
     Unplug,
 };

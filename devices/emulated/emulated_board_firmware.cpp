@@ -18,6 +18,11 @@ constexpr std::uint16_t kServoModel = 64;
 constexpr std::uint32_t kTickHz = 2'000'000;
 constexpr std::uint32_t kSpanMdeg = 300'000;
 constexpr std::uint8_t kResetByWatchdog = 3;
+constexpr int kSupply = 14'800;    // [mV]
+constexpr int kLowSupply = 9'000;  // [mV]
+constexpr int kWarm = 38;          // [°C]
+constexpr int kHot = 82;           // [°C]
+constexpr int kOverloadBit = 0x20;
 constexpr std::uint32_t kCapabilities =
     static_cast<std::uint32_t>(Capability::SyncInput) | static_cast<std::uint32_t>(Capability::ContinuousSweep) |
     static_cast<std::uint32_t>(Capability::Load) | static_cast<std::uint32_t>(Capability::Voltage) |
@@ -66,9 +71,7 @@ Message EmulatedBoardFirmware::answer(const Frame& request, Time now, Time sent)
             perform(what, now);
             return nowIn(ArmReply{});
         } else if constexpr (std::is_same_v<T, ClearFault>) {
-            if (state_ == State::Estopped || state_ == State::Fault)
-                state_ = State::Unarmed;
-            fault_ = Fault::None;
+            clearFault(now);
             return nowIn(ClearFaultReply{});
         } else if constexpr (std::is_same_v<T, Stop>) {
             stop(now);
@@ -122,8 +125,9 @@ StatusReply EmulatedBoardFirmware::status(Time now) const
     reply.pos = position(now);
     reply.goal = static_cast<std::uint16_t>(servo_.goal());
     reply.load = static_cast<std::int16_t>(servo_.load(now));
-    reply.voltMv = 14'800;
-    reply.tempC = 38;
+    const Fault reported = now < causeUntil_ ? cause_ : Fault::None;
+    reply.voltMv = reported == Fault::Voltage ? kLowSupply : kSupply;
+    reply.tempC = reported == Fault::Overheat ? kHot : kWarm;
     reply.uptimeMs = static_cast<std::uint32_t>(clock(now) / 1000);
     reply.lostBytes = static_cast<std::uint32_t>(lostBytes_);
     reply.crcErrors = static_cast<std::uint32_t>(crcErrors_);
@@ -184,8 +188,37 @@ void EmulatedBoardFirmware::stop(Time now)
 
 void EmulatedBoardFirmware::stopInEmergency(Time now)
 {
-    servo_.setTorque(state_ == State::Estopped ? 0 : config_.estopTorque);
+    servo_.setTorque(std::exchange(isEstoppedByHost_, true) ? 0 : config_.estopTorque);
     comeToRest(State::Estopped, now);
+}
+
+/// Does what the first ESTOP does, and does not count for one.
+void EmulatedBoardFirmware::pressButton(Time now)
+{
+    pressedUntil_ = now + kPressed;
+    if (state_ != State::Estopped)
+        servo_.setTorque(config_.estopTorque);
+    comeToRest(State::Estopped, now);
+}
+
+void EmulatedBoardFirmware::clearFault(Time now)
+{
+    const bool isPressed = state_ == State::Estopped && now < pressedUntil_;
+    const bool isThere = now < causeUntil_;
+    if (isPressed || (isThere && state_ == State::Fault))
+        return;
+    fault_ = isThere ? cause_ : Fault::None;
+    if (state_ == State::Estopped || state_ == State::Fault)
+        state_ = isThere ? State::Fault : State::Unarmed;
+    isEstoppedByHost_ = false;
+}
+
+void EmulatedBoardFirmware::raise(Fault code, Time now)
+{
+    cause_ = code;
+    causeUntil_ = now + kCauseLasts;
+    const int detail = code == Fault::Overload ? kOverloadBit : code == Fault::Overheat ? kHot : kLowSupply;
+    fault(code, detail, now);
 }
 
 void EmulatedBoardFirmware::comeToRest(State next, Time now)
@@ -210,6 +243,7 @@ void EmulatedBoardFirmware::reset(Time now)
     capture_.reset();
     heldBack_.reset();
     fault_ = Fault::None;
+    isEstoppedByHost_ = false;
     config_ = {};
     isGreeted_ = false;
     isConfigured_ = false;

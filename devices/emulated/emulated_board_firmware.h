@@ -60,6 +60,15 @@ public:
     /// Takes the heartbeats for missing, once: at once if it watches them, or when it does.
     void missHeartbeats() { missesHeartbeats_ = true; }
 
+    /// The servo reports Overload, Overheat or Voltage, for kCauseLasts: so long nothing clears it.
+    void raise(board::Fault code, Time now);
+    static constexpr Time kCauseLasts = std::chrono::seconds{3};
+    /// Somebody presses the button for emergencies, for kPressed.
+    void pressButton(Time now);
+    static constexpr Time kPressed = std::chrono::seconds{2};
+    /// No sync edge comes any more.
+    void loseSync() { setup_.nextEdge = {}; }
+
     /// From now on it tells positions that are so many counts too high.
     void setReadingError(int counts) { readingError_ = counts; }
 
@@ -108,6 +117,7 @@ private:
     void perform(const board::Arm& request, Time now);
     void stop(Time now);
     void stopInEmergency(Time now);
+    void clearFault(Time now);
     /// Ends motion in order and goes to a state.
     void comeToRest(board::State next, Time now);
 
@@ -137,6 +147,10 @@ private:
     bool isGreeted_ = false;
     bool isConfigured_ = false;
     bool missesHeartbeats_ = false;
+    bool isEstoppedByHost_ = false;  ///< the next ESTOP is the second one
+    Time pressedUntil_{0};
+    board::Fault cause_ = board::Fault::None;  ///< what the servo reports until `causeUntil_`
+    Time causeUntil_{0};
     std::uint8_t resetCause_ = 0;
     int readingError_ = 0;
     std::uint64_t lostBytes_ = 0;

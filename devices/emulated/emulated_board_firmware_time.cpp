@@ -225,7 +225,7 @@ void EmulatedBoardFirmware::fault(Fault code, int detail, Time now)
     fault_ = code;
     if (isOfTriggerOnly)
         trigger_.reset();
-    else
+    else if (state_ != State::Estopped)
         comeToRest(static_cast<int>(code) < 0x10 ? State::Stopped : State::Fault, now);
     const FaultEvent event{clock(now), code, state_, position(now), static_cast<std::uint16_t>(detail)};
     if (code == Fault::Watchdog)

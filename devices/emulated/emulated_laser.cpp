@@ -137,10 +137,22 @@ void EmulatedLaser::powerOn(Time now)
     if (strikes("laser-boot", 0))
         silentUntil_ = now + kBoot;
     isBroken_ = strikes("laser-malfunction", 0);
+    changeIdentity(0);
     isInTimeMode_ = hasAtConnect("laser-time-mode");
     speaksScip1_ = hasAtConnect("laser-scip1");
     if (hasAtConnect("laser-prestream"))
         beginStream({"MD", limits_.firstStep, limits_.lastStep, 0, 0, 0}, {}, now);
+}
+
+/// What it says of itself when it is asked; a stream that runs goes on.
+void EmulatedLaser::changeIdentity(int number)
+{
+    if (strikes("laser-limits", number)) {
+        const int tenDegrees = limits_.stepsPerTurn / 36;
+        limits_.firstStep += tenDegrees;
+        limits_.lastStep -= tenDegrees;
+    }
+    isOtherModel_ = isOtherModel_ || strikes("laser-model", number);
 }
 
 void EmulatedLaser::reboot(Time now)
@@ -213,6 +225,7 @@ void EmulatedLaser::sendScan(std::int64_t turn, int number)
     if (strikes("laser-reset", number))
         clockZero_ = startOf(turn);
     isBlind_ = isBlind_ || strikes("laser-blind", number);
+    changeIdentity(number);
     if (strikes("laser-stuck-time", number))
         stuckStamp_ = stampAt(startOf(turn));
 
@@ -223,7 +236,7 @@ void EmulatedLaser::sendScan(std::int64_t turn, int number)
     const std::string echo = scipRequest(measurement) + stream_->tag;
     std::vector<std::uint32_t> codes = beams(measurement, turn);
     if (strikes("laser-count", number))
-        codes.pop_back();
+        codes.resize(codes.size() - std::min<std::size_t>(codes.size(), std::max(1, measurement.cluster)));
     std::string bytes =
         laserScan(echo, "99", measurement, stuckStamp_.value_or(stampAt(startOf(turn))), codes, options_.model);
     Time ready = momentOf(turn, measurement.last);

@@ -83,6 +83,7 @@ private:
     // What time does: emulated_laser.cpp.
     void advance(Time now);
     void powerOn(Time now);
+    void changeIdentity(int number);
     void reboot(Time now);
     void send(std::string bytes, Time ready);
     bool strikes(std::string_view kind, int number);
@@ -105,6 +106,7 @@ private:
     std::string replyToTime(const Request& request, Time now);
     std::string replyToSetting(const Request& request);
     std::string replyToSimulatedFault(const Request& request);
+    std::string modelName() const { return std::string{options_.model.name} + (isOtherModel_ ? "-EW" : ""); }
     std::string identity(std::string_view echo) const;
     std::string facts(std::string_view echo) const;
     std::string condition(std::string_view echo, Time now) const;
@@ -137,6 +139,7 @@ private:
     bool speaksScip1_ = false;
     bool isBroken_ = false;
     bool isBlind_ = false;
+    bool isOtherModel_ = false;
     int simulatedFault_ = 0;  ///< by DB
     int verifyingLeft_ = 0;   ///< scans that it leaves out to check itself
     int motorSpeed_ = 0;

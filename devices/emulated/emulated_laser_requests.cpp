@@ -259,7 +259,8 @@ std::string EmulatedLaser::identity(std::string_view echo) const
     const EmulatedLaserModel& model = options_.model;
     return laserReply(
         echo, "00",
-        {laserField("VEND", "Hokuyo Automatic Co.,Ltd."), laserField("PROD", model.product),
+        {laserField("VEND", "Hokuyo Automatic Co.,Ltd."),
+         laserField("PROD", std::string{model.product} + (isOtherModel_ ? "-EW" : "")),
          laserField("FIRM", model.firmware), laserField("PROT", model.protocol), laserField("SERI", options_.serial)});
 }
 
@@ -269,21 +270,21 @@ std::string EmulatedLaser::facts(std::string_view echo) const
     const auto field = [](std::string_view key, int value) { return laserField(key, std::to_string(value)); };
     return laserReply(
         echo, "00",
-        {laserField("MODL", std::string{model.name} + "(Hokuyo Automatic Co.,Ltd.)"), field("DMIN", model.nearest),
-         field("DMAX", model.farthest), field("ARES", model.stepsPerTurn), field("AMIN", model.firstStep),
-         field("AMAX", model.lastStep), field("AFRT", model.frontStep), field("SCAN", model.turnsPerMinute)});
+        {laserField("MODL", modelName() + "(Hokuyo Automatic Co.,Ltd.)"), field("DMIN", model.nearest),
+         field("DMAX", model.farthest), field("ARES", model.stepsPerTurn), field("AMIN", limits_.firstStep),
+         field("AMAX", limits_.lastStep), field("AFRT", model.frontStep), field("SCAN", model.turnsPerMinute)});
 }
 
 std::string EmulatedLaser::condition(std::string_view echo, Time now) const
 {
     const EmulatedLaserModel& model = options_.model;
     const std::string time = model.tellsTimeInHex ? hexadecimal(stampAt(now)) : toScip(stampAt(now), 4);
-    return laserReply(echo, "00",
-                      {laserField("MODL", std::string{model.name} + "(Hokuyo Automatic Co.,Ltd.)"),
-                       laserField("LASR", isOn_ ? "ON" : "OFF"), laserField("SCSP", model.motor),
-                       laserField("MESM", stream_ ? "Measuring" : "CLASSIC"), laserField("SBPS", model.line),
-                       laserField("TIME", time),
-                       laserField("STAT", isFaulty() ? "Trouble!! Error No. =[00->33]" : "Sensor works well.")});
+    return laserReply(
+        echo, "00",
+        {laserField("MODL", modelName() + "(Hokuyo Automatic Co.,Ltd.)"), laserField("LASR", isOn_ ? "ON" : "OFF"),
+         laserField("SCSP", model.motor), laserField("MESM", stream_ ? "Measuring" : "CLASSIC"),
+         laserField("SBPS", model.line), laserField("TIME", time),
+         laserField("STAT", isFaulty() ? "Trouble!! Error No. =[00->33]" : "Sensor works well.")});
 }
 
 }  // namespace planewright

@@ -188,6 +188,10 @@ void EmulatedServo::bring(ServoFault fault, Time now)
         case ServoFault::Echo:
         case ServoFault::Slow:
         case ServoFault::ByteLoss:
+        case ServoFault::AngleBit:
+        case ServoFault::RangeBit:
+        case ServoFault::ChecksumBit:
+        case ServoFault::InstructionBit:
             break;  // of the line, wherever bytes pass
     }
 }

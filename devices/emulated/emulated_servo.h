@@ -80,6 +80,7 @@ private:
     /// Answers of several, each when the one before has ended.
     void answerInTurn(const std::vector<DynamixelStatus>& statuses, Time now);
     void answerAtOnce(const std::vector<std::pair<DynamixelStatus, Time>>& statuses, Time now);
+    std::uint8_t refusalBits() const;
     Speech speech(DynamixelStatus status, Time from);
     void say(const Speech& speech);
     void transmit(const Speech& speech);

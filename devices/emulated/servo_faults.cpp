@@ -28,6 +28,10 @@ constexpr auto kKinds = std::to_array<ServoFaultKind>({
     {ServoFault::Slow, "servo-slow", "Answers come 20 to 30 ms late."},
     {ServoFault::WrongAngle, "servo-wrong-angle", "The servo says that it stands 12 degrees from where it does."},
     {ServoFault::Unplug, "servo-unplug", "The cable is pulled out."},
+    {ServoFault::AngleBit, "servo-angle-bit", "Every answer says that a goal was beyond the angle limits."},
+    {ServoFault::RangeBit, "servo-range-bit", "Every answer says that a value was out of range."},
+    {ServoFault::ChecksumBit, "servo-checksum-bit", "Every answer says that the request had a wrong check."},
+    {ServoFault::InstructionBit, "servo-instruction-bit", "Every answer says that the instruction is not known."},
     {ServoFault::ByteLoss, "servo-byte-loss", "One byte of 1000 gets lost, in either direction."},
 });
 

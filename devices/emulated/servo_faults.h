@@ -30,6 +30,10 @@ enum class ServoFault {
     WrongAngle,
     Unplug,
     ByteLoss,
+    AngleBit,
+    RangeBit,
+    ChecksumBit,
+    InstructionBit,
 };
 
 /// A kind of fault as people name it, and a sentence about it.

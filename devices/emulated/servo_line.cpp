@@ -112,8 +112,24 @@ void EmulatedServo::answerAtOnce(const std::vector<std::pair<DynamixelStatus, Ti
         say(*line);
 }
 
+/// What it says is wrong with requests: a bit of the error byte in 1.0, a number in 2.0.
+std::uint8_t EmulatedServo::refusalBits() const
+{
+    const bool isOne = kind_.protocol == DynamixelProtocol::One;
+    if (has(ServoFault::AngleBit))
+        return isOne ? 0x02 : 0x06;
+    if (has(ServoFault::RangeBit))
+        return isOne ? 0x08 : 0x04;
+    if (has(ServoFault::ChecksumBit))
+        return isOne ? 0x10 : 0x03;
+    if (has(ServoFault::InstructionBit))
+        return isOne ? 0x40 : 0x02;
+    return 0;
+}
+
 EmulatedServo::Speech EmulatedServo::speech(DynamixelStatus status, Time from)
 {
+    status.error = static_cast<std::uint8_t>(status.error | refusalBits());
     if (has(ServoFault::WrongId))
         status.id = static_cast<std::uint8_t>(status.id ^ 0x06);
     Speech said{from, encodePacket(kind_.protocol, packetOf(kind_.protocol, status))};

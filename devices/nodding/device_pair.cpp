@@ -18,7 +18,7 @@ DevicePair::DevicePair(NoddingDevices devices, const Clock& clock) : devices_(st
 /// Where that fails there is nobody left to tell.
 DevicePair::~DevicePair()
 {
-    static_cast<void>(hold());
+    static_cast<void>(stop());
     stopLaser();
 }
 
@@ -47,11 +47,11 @@ Result<void> DevicePair::open(const std::stop_token& stop)
     return {};
 }
 
-Result<void> DevicePair::startLaser(int first, int last, const std::stop_token& stop)
+Result<void> DevicePair::startLaser(const LaserBeams& beams, const std::stop_token& stop)
 {
     if (isScanning_)
         return {};
-    const Result<void> started = laser_->start(first, last, stop);
+    const Result<void> started = laser_->start(beams, stop);
     isScanning_ = started.has_value();
     return started;
 }
@@ -107,6 +107,12 @@ void DevicePair::close()
     laser.swap(laser_);
     if (!keepsUnit)
         unit.swap(unit_);
+}
+
+Result<void> DevicePair::stop()
+{
+    const std::shared_ptr<TiltUnit> unit = sharedUnit();
+    return unit ? unit->stop() : Result<void>{};
 }
 
 Result<void> DevicePair::hold()

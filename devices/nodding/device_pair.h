@@ -42,7 +42,7 @@ public:
     TiltUnit& unit() { return *unit_; }
 
     /// The laser streams these steps from now on, if it does not yet.
-    Result<void> startLaser(int first, int last, const std::stop_token& stop);
+    Result<void> startLaser(const LaserBeams& beams, const std::stop_token& stop);
     void stopLaser();
 
     /// Waits for the next angle, and takes the scans that have come meanwhile.
@@ -56,6 +56,8 @@ public:
     /// Closes what has failed, as far as that is known, or else both: open() begins anew with it.
     void close();
 
+    /// Brings the unit to rest in order. Nothing to do where none is open.
+    Result<void> stop();
     /// Stops motion within one round trip. Nothing to do where no unit is open.
     Result<void> hold();
     LinkHealth laserHealth() const;

@@ -54,8 +54,8 @@ Result<void> NoddingSource::fit()
     fitted_ = *fitted;
 
     description_.scanner = identity.model.empty() ? identity.product : identity.model;
-    description_.firstBearing = limits.bearing(fitted_.firstStep);
-    description_.bearingStep = limits.bearingStep();
+    description_.firstBearing = fitted_.firstBearing;
+    description_.bearingStep = fitted_.bearingStep;
     description_.beams = fitted_.beams;
     description_.rangeMin = limits.rangeMin;
     description_.rangeMax = limits.rangeMax;
@@ -92,7 +92,7 @@ Result<void> NoddingSource::getReady(const std::stop_token& stop)
         return opened;
     if (const Result<void> armed = arm(stop); !armed)
         return armed;
-    if (const Result<void> started = devices_.startLaser(fitted_.firstStep, fitted_.lastStep, stop); !started)
+    if (const Result<void> started = devices_.startLaser(fitted_.steps, stop); !started)
         return started;
     devices_.forget();
     isAimed_ = false;
@@ -261,7 +261,7 @@ int NoddingSource::pauses() const
 /// Holds the head. A device that is gone is opened anew when the scan goes on.
 tl::unexpected<Error> NoddingSource::fault(Error error)
 {
-    static_cast<void>(devices_.hold());
+    static_cast<void>(devices_.stop());
     if (error.code == ErrorCode::DeviceLost)
         devices_.close();
     devices_.forget();

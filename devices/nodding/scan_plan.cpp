@@ -38,6 +38,24 @@ Result<void> checkBearings(const ScanPlan& plan, const LaserLimits& laser)
     return {};
 }
 
+/// As many whole clusters as there are: of a cluster that has fewer steps, nobody would know the bearing.
+Result<LaserBeams> fitBeams(const ScanPlan& plan, const LaserLimits& laser)
+{
+    if (plan.cluster < 1 || plan.cluster > LaserBeams::kMostJoinedSteps)
+        return fail(ErrorCode::Usage, "a laser joins 1 to " + std::to_string(LaserBeams::kMostJoinedSteps) +
+                                          " steps to one range, not " + std::to_string(plan.cluster));
+    LaserBeams beams;
+    beams.first = std::max(laser.firstStep, laser.nearestStep(plan.firstBearing));
+    beams.cluster = plan.cluster;
+    const int steps = std::min(laser.lastStep, laser.nearestStep(plan.lastBearing)) - beams.first + 1;
+    beams.last = beams.first + steps / plan.cluster * plan.cluster - 1;
+    if (steps < 2 * plan.cluster)
+        return fail(ErrorCode::Usage, "the scan angle has " + std::to_string(steps) + " steps of the laser: at " +
+                                          std::to_string(plan.cluster) +
+                                          " a range that is fewer than two ranges; join fewer, or widen it");
+    return beams;
+}
+
 Result<void> checkPitches(const ScanPlan& plan, const TiltUnit& unit)
 {
     const double first = plan.pitch(0);
@@ -64,9 +82,13 @@ Result<FittedPlan> fitPlan(const ScanPlan& plan, const LaserLimits& laser, const
         return tl::unexpected{checked.error()};
 
     FittedPlan fitted;
-    fitted.firstStep = std::max(laser.firstStep, laser.nearestStep(plan.firstBearing));
-    fitted.lastStep = std::min(laser.lastStep, laser.nearestStep(plan.lastBearing));
-    fitted.beams = fitted.lastStep - fitted.firstStep + 1;
+    const Result<LaserBeams> steps = fitBeams(plan, laser);
+    if (!steps)
+        return tl::unexpected{steps.error()};
+    fitted.steps = *steps;
+    fitted.beams = steps->count();
+    fitted.firstBearing = steps->firstBearing(laser);
+    fitted.bearingStep = steps->bearingStep(laser);
     fitted.points = static_cast<double>(fitted.beams) * plan.slices;
     const std::chrono::duration<double> turn = laser.period;
     if (plan.mode == ScanPlan::Mode::Continuous) {

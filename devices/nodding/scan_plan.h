@@ -25,6 +25,7 @@ struct ScanPlan {
     int slices = 137;                     ///< at most kMaxSlices
     double firstBearing = 0.0;            ///< θ of the first beam [rad]
     double lastBearing = degrees(180.0);  ///< θ of the last beam [rad]
+    int cluster = 1;                      ///< steps of the laser that give one range together, 1 to 99
     double pitchAxisOffset = 0.05;        ///< d_l of Eq. (6) [m]
     std::chrono::milliseconds settle{8};  ///< rest before a slice is taken, after the angle has come within tolerance
     double travelSpeed = degrees(90.0);   ///< between steps, and to where a scan begins [rad/s]
@@ -34,9 +35,10 @@ struct ScanPlan {
 
 /// A plan in the steps of the devices that are to carry it out.
 struct FittedPlan {
-    int firstStep = 0;  ///< of the laser
-    int lastStep = 0;   ///< of the laser, counted
-    int beams = 0;
+    LaserBeams steps;                       ///< of the laser; whole clusters
+    int beams = 0;                          ///< ranges of a slice
+    double firstBearing = 0.0;              ///< θ of the first range [rad]
+    double bearingStep = 0.0;               ///< from range to range [rad]
     int turnsPerSlice = 1;                  ///< of the mirror, in the continuous mode
     double sweepSpeed = 0.0;                ///< in the continuous mode [rad/s]; 0 in the other
     double points = 0.0;                    ///< beams times slices
@@ -48,7 +50,7 @@ struct FittedPlan {
 /// The time is the least that the settings allow: a turn of the mirror for each slice; in StepAndStare the move between
 /// two steps at the travel speed, the rest, and a turn, rounded up to whole turns, since the mirror waits for nobody.
 /// Errors (Usage): a number of slices or a step that is no such thing, bearings or pitches out of reach (with what is
-/// in reach), a sweep faster than the unit may.
+/// in reach), clusters that no laser has or that leave fewer than two ranges, a sweep faster than the unit may.
 Result<FittedPlan> fitPlan(const ScanPlan& plan, const LaserLimits& laser, const TiltUnit& unit);
 
 }  // namespace planewright

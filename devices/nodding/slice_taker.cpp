@@ -35,8 +35,7 @@ SliceTaker::SliceTaker(const ScanPlan& plan, const FittedPlan& fitted, const Las
       fitted_(fitted),
       head_(std::move(head)),
       sliceTime_(fitted.turnsPerSlice * laser.period),
-      maker_({laser.bearing(fitted.firstStep), laser.bearingStep(), plan.mode == ScanPlan::Mode::Continuous,
-              head_.resolution})
+      maker_({fitted.firstBearing, fitted.bearingStep, plan.mode == ScanPlan::Mode::Continuous, head_.resolution})
 {
 }
 

@@ -33,13 +33,13 @@ public:
     Result<void> clearLine();
     Result<void> comeToRest();
     Result<ScipPartner> getToKnow();
+    Result<void> reboot();
 
 private:
     enum class Rest { Reached, AskAgain };
     Result<Rest> follow(const ScipReply& quit);
     Result<ScipReply> askIntact(std::string_view request);
     Result<ScipState> checkCondition();
-    Result<void> reboot();
     tl::unexpected<Error> giveUp() const;
     tl::unexpected<Error> tooOld() const;
 
@@ -233,6 +233,11 @@ Result<ScipPartner> connectScip(ScipLink& link, const ScipProgress& progress, co
     if (const Result<void> rest = connection.comeToRest(); !rest)
         return tl::unexpected{rest.error()};
     return connection.getToKnow();
+}
+
+Result<void> restartScip(ScipLink& link, const ScipProgress& progress, const std::stop_token& stop)
+{
+    return Connection{link, progress, stop}.reboot();
 }
 
 }  // namespace planewright

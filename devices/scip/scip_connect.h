@@ -32,4 +32,7 @@ struct ScipPartner {
 /// what to do; DeviceLost: those of the transport; Interrupted: a stop.
 Result<ScipPartner> connectScip(ScipLink& link, const ScipProgress& progress, const std::stop_token& stop);
 
+/// Starts a laser anew whose model can (ScipCapabilities::reboot), and waits until it is at rest. Errors: as above.
+Result<void> restartScip(ScipLink& link, const ScipProgress& progress, const std::stop_token& stop);
+
 }  // namespace planewright

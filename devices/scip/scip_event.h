@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -58,6 +59,11 @@ enum class ScipDamageKind {
     FrameTooLong,  ///< no end within every bound
 };
 inline constexpr std::size_t kScipDamageKinds = 9;
+
+/// "laser-sum".
+std::string_view codeOf(ScipDamageKind kind);
+/// "a line with a wrong sum".
+std::string describe(ScipDamageKind kind);
 
 /// Bytes that were thrown away.
 struct ScipDamage {

@@ -23,6 +23,7 @@ void ScipHealth::restart()
     const std::scoped_lock lock(mutex_);
     counters_ = {};
     recent_.clear();
+    log_.restartCounts();
 }
 
 void ScipHealth::countGood(Time arrived, bool isLate)
@@ -48,6 +49,11 @@ void ScipHealth::countLost(std::uint64_t scans)
     counters_.lost += scans;
 }
 
+void ScipHealth::log(Time at, std::string_view code, std::string text, std::string_view bytes)
+{
+    log_.add(at, code, std::move(text), textBytes(bytes));
+}
+
 void ScipHealth::setTrouble(std::string trouble)
 {
     const std::scoped_lock lock(mutex_);
@@ -58,6 +64,7 @@ LinkHealth ScipHealth::read(Time now) const
 {
     const std::scoped_lock lock(mutex_);
     LinkHealth health = counters_;
+    health.faults = log_.counts();
     const auto isRecent = [&](Time arrived) { return arrived > now - kRateOver; };
     health.rate = static_cast<double>(std::count_if(recent_.begin(), recent_.end(), isRecent));
     const std::uint64_t came = health.good + health.corrupt;

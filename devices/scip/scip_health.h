@@ -7,6 +7,8 @@
 #include <deque>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "devices/laser.h"
 
@@ -17,12 +19,16 @@ class ScipHealth {
 public:
     using Time = std::chrono::nanoseconds;
 
-    /// All counters to zero.
+    /// All counters to zero; the log stays.
     void restart();
 
     void countGood(Time arrived, bool isLate);
     void countCorrupt();
     void countLost(std::uint64_t scans);
+
+    /// A fault for the log, with the bytes that told of it.
+    void log(Time at, std::string_view code, std::string text, std::string_view bytes = {});
+    std::vector<FaultRecord> takeLog() { return log_.take(); }
 
     /// What is wrong now; empty: nothing.
     void setTrouble(std::string trouble);
@@ -33,6 +39,7 @@ private:
     mutable std::mutex mutex_;
     LinkHealth counters_;
     std::deque<Time> recent_;  ///< arrivals of the last second before the last of them
+    FaultLog log_;
 };
 
 }  // namespace planewright

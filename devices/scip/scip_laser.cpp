@@ -34,6 +34,7 @@ ScipLaser::~ScipLaser()
 Result<void> ScipLaser::connect(const std::stop_token& stop)
 {
     stream_.clear();
+    revival_.end();
     health_.restart();
     health_.setTrouble({});
     Result<ScipPartner> partner = connectScip(link_, progress_, stop);
@@ -45,22 +46,36 @@ Result<void> ScipLaser::connect(const std::stop_token& stop)
     return {};
 }
 
-Result<void> ScipLaser::start(int first, int last, const std::stop_token& stop)
+Result<void> ScipLaser::start(const LaserBeams& beams, const std::stop_token& stop)
 {
     const LaserLimits& limits = partner_.limits;
-    if (first < limits.firstStep || last > limits.lastStep || first >= last)
-        return fail(ErrorCode::Usage, link_.name() + ": steps " + std::to_string(first) + " to " +
-                                          std::to_string(last) + " are not among the laser's, " +
+    if (beams.first < limits.firstStep || beams.last > limits.lastStep || beams.first >= beams.last)
+        return fail(ErrorCode::Usage, link_.name() + ": steps " + std::to_string(beams.first) + " to " +
+                                          std::to_string(beams.last) + " are not among the laser's, " +
                                           std::to_string(limits.firstStep) + " to " + std::to_string(limits.lastStep));
+    if (beams.cluster < 1 || beams.cluster > LaserBeams::kMostJoinedSteps)
+        return fail(ErrorCode::Usage, link_.name() + ": " + std::to_string(beams.cluster) +
+                                          " steps cannot be joined to one range; a laser joins 1 to " +
+                                          std::to_string(LaserBeams::kMostJoinedSteps));
     if (!stream_.empty()) {
         if (Result<void> stopped = this->stop(); !stopped)
             return stopped;
     }
-    measurement_ = {"MD", first, last, 0, 0, 0};
-    hasReset_ = false;
-    clock_.restart();
+    beams_ = beams;
+    measurement_ = {"MD", beams.first, beams.last, beams.cluster == 1 ? 0 : beams.cluster, 0, 0};
+    cures_ = 0;
+    isBlind_ = false;
+    Result<void> begun = beginScanning(stop);
+    if (!begun)
+        quitUnheard();
+    return begun;
+}
+
+Result<void> ScipLaser::beginScanning(const std::stop_token& stop)
+{
     lastMilliseconds_.reset();
     lastEnd_.reset();
+    clock_.restart();
     if (partner_.able.timeMode) {
         if (Result<void> compared = compareScipClocks(link_, partner_.version, clock_, progress_, stop); !compared)
             return compared;
@@ -71,68 +86,107 @@ Result<void> ScipLaser::start(int first, int last, const std::stop_token& stop)
     return beginStream(stop);
 }
 
-/// BM. A laser that says that it is faulty is asked again after a reset, once.
+/// BM. A laser that says that it is faulty is asked again after each cure.
 Result<void> ScipLaser::switchOn(const std::stop_token& stop)
 {
-    const Result<ScipReply> on = askScipPatiently(link_, kScipLaserOn, partner_.version, progress_, stop);
-    if (!on)
-        return tl::unexpected{on.error()};
-    switch (scipMeaning(kScipLaserOn, on->status, partner_.version).verdict) {
-        case ScipVerdict::Good:
-        case ScipVerdict::AlreadySo:
-            return {};
-        case ScipVerdict::Malfunction:
-            if (Result<void> reset = resetOnce(describeScipStatus(kScipLaserOn, on->status, partner_.version), stop);
-                !reset)
-                return reset;
-            return switchOn(stop);
-        default:
-            return fail(ErrorCode::NoDevice, link_.name() + ": the laser does not switch on (" +
-                                                 describeScipStatus(kScipLaserOn, on->status, partner_.version) +
-                                                 "); switch its power off and on, then connect again");
+    for (;;) {
+        const Result<ScipReply> on = askScipPatiently(link_, kScipLaserOn, partner_.version, progress_, stop);
+        if (!on)
+            return tl::unexpected{on.error()};
+        const std::string status = describeScipStatus(kScipLaserOn, on->status, partner_.version);
+        switch (scipMeaning(kScipLaserOn, on->status, partner_.version).verdict) {
+            case ScipVerdict::Good:
+            case ScipVerdict::AlreadySo:
+                return {};
+            case ScipVerdict::Malfunction:
+                if (Result<void> cured = cure(status, stop); !cured)
+                    return cured;
+                break;
+            default:
+                return fail(ErrorCode::NoDevice, link_.name() + ": the laser does not switch on (" + status +
+                                                     "); switch its power off and on, then connect again");
+        }
     }
 }
 
 Result<void> ScipLaser::beginStream(const std::stop_token& stop)
 {
     const std::string request = scipRequest(measurement_);
-    const Result<ScipReply> accepted = askScipPatiently(link_, request, partner_.version, progress_, stop);
-    if (!accepted)
-        return tl::unexpected{accepted.error()};
-    const ScipMeaning meaning = scipMeaning(measurement_.command, accepted->status, partner_.version);
-    const std::string status = describeScipStatus(measurement_.command, accepted->status, partner_.version);
-    if (meaning.verdict == ScipVerdict::Malfunction) {
-        if (Result<void> reset = resetOnce(status, stop); !reset)
-            return reset;
+    for (;;) {
+        const Result<ScipReply> accepted = askScipPatiently(link_, request, partner_.version, progress_, stop);
+        if (!accepted)
+            return tl::unexpected{accepted.error()};
+        const ScipMeaning meaning = scipMeaning(measurement_.command, accepted->status, partner_.version);
+        const std::string status = describeScipStatus(measurement_.command, accepted->status, partner_.version);
+        if (meaning.verdict == ScipVerdict::Good)
+            break;
+        if (meaning.verdict != ScipVerdict::Malfunction)
+            return fail(ErrorCode::NoDevice, link_.name() + ": the laser does not scan (" + status +
+                                                 "); switch its power off and on, then connect again");
+        if (Result<void> cured = cure(status, stop); !cured)
+            return cured;
         if (Result<void> on = switchOn(stop); !on)
             return on;
-        return beginStream(stop);
     }
-    if (meaning.verdict != ScipVerdict::Good)
-        return fail(ErrorCode::NoDevice, link_.name() + ": the laser does not scan (" + status +
-                                             "); switch its power off and on, then connect again");
     stream_ = request;
-    damaged_ = 0;
-    lastScan_ = link_.now();
-    clock_.expectPromptScan();
+    streamsFrom(link_.now());
     return {};
 }
 
-/// A fault of the hardware: cured by a reset, or by a person.
-Result<void> ScipLaser::resetOnce(const std::string& status, const std::stop_token& stop)
+void ScipLaser::streamsFrom(Time now)
+{
+    damaged_ = 0;
+    lastScan_ = now;
+    clock_.expectPromptScan();
+}
+
+/// A fault of the hardware while nothing streams: cured by a reset, by a start anew, or by a person.
+Result<void> ScipLaser::cure(const std::string& status, const std::stop_token& stop)
+{
+    const std::optional<ScipRevival::Cure> next = nextCure(status);
+    if (!next)
+        return faulty(status);
+    return *next == ScipRevival::Cure::Reboot ? restartScip(link_, progress_, stop) : resetScip(link_, stop);
+}
+
+/// Each once since the start; empty where all have been tried.
+std::optional<ScipRevival::Cure> ScipLaser::nextCure(const std::string& status)
 {
     health_.setTrouble(status);
-    if (std::exchange(hasReset_, true)) {
-        const bool wasScanning = !std::exchange(stream_, {}).empty();
-        return fail(
-            wasScanning ? ErrorCode::DeviceLost : ErrorCode::NoDevice,
-            link_.name() + ": the laser is faulty (" + status + "); switch its power off and on, then connect again");
-    }
-    return resetScip(link_, stop);
+    health_.log(link_.now(), "laser-malfunction", status);
+    const int tried = cures_++;
+    if (tried == 0)
+        return ScipRevival::Cure::Reset;
+    return tried == 1 && partner_.able.reboot ? std::optional{ScipRevival::Cure::Reboot} : std::nullopt;
+}
+
+tl::unexpected<Error> ScipLaser::faulty(const std::string& status)
+{
+    return fail(ErrorCode::NeedsOperator, link_.name() + ": the laser is faulty (" + status +
+                                              "); switch its power off and on, then connect again");
+}
+
+/// Tells a laser to be quiet that may stream though nobody listens any more.
+void ScipLaser::quitUnheard()
+{
+    stream_.clear();
+    revival_.end();
+    (void)link_.send(kScipQuit);
+}
+
+LinkHealth ScipLaser::health() const
+{
+    LinkHealth health = health_.read(link_.now());
+    const TransportHealth transport = link_.transportHealth();
+    health.overruns = transport.overruns;
+    if (health.trouble.empty())
+        health.trouble = transport.trouble;
+    return health;
 }
 
 Result<void> ScipLaser::stop()
 {
+    revival_.end();
     if (std::exchange(stream_, {}).empty())
         return {};
     for (int time = 0; time < 2; ++time) {

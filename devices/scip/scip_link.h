@@ -65,6 +65,8 @@ public:
     const Heard& heard() const { return heard_; }
 
     void close() { transport_->close(); }
+    /// Any thread.
+    TransportHealth transportHealth() const { return transport_->health(); }
 
 private:
     Result<bool> readMore(Time deadline, const std::stop_token& stop);

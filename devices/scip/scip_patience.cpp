@@ -37,6 +37,8 @@ Result<ScipReply> askScipPatiently(ScipLink& link, std::string_view request, Sci
     const std::string_view command = readScipEcho(request)->command;
     const Time deadline = link.now() + kScipBootTime;
     for (;;) {
+        if (stop.stop_requested())
+            return scipInterrupted(link);
         auto reply = link.ask(request, kReply, stop);
         if (!reply)
             return tl::unexpected{reply.error()};

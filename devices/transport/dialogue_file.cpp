@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view kMagic = "planewright-dialogue ";
 constexpr std::string_view kDigits = "0123456789ABCDEF";
 /// Longer than any dialogue, and far from where nanoseconds end.
-constexpr std::chrono::microseconds kLongest = std::chrono::hours{24 * 365};
+constexpr std::chrono::nanoseconds kLongest = std::chrono::hours{24 * 365};
 
 char markOf(DialogueEvent::Kind kind)
 {
@@ -114,6 +114,36 @@ std::string escaped(std::span<const std::uint8_t> bytes, std::uint8_t first)
     return text;
 }
 
+constexpr std::size_t kDecimals = 3;
+
+/// Microseconds, with no more decimals than it needs.
+std::string timeText(std::chrono::nanoseconds at)
+{
+    std::string text = std::to_string(at.count() / 1000);
+    if (at.count() % 1000 == 0)
+        return text;
+    const std::string decimals = std::to_string(at.count() % 1000);
+    text += '.' + std::string(kDecimals - decimals.size(), '0') + decimals;
+    return text.substr(0, text.find_last_not_of('0') + 1);
+}
+
+std::optional<std::chrono::nanoseconds> timeOf(std::string_view text)
+{
+    const std::size_t point = std::min(text.find('.'), text.size());
+    std::string decimals{text.substr(std::min(point + 1, text.size()))};
+    const bool hasDecimals = point < text.size();
+    if (hasDecimals && (decimals.empty() || decimals.size() > kDecimals))
+        return std::nullopt;
+    decimals.resize(kDecimals, '0');
+    std::string digits{text.substr(0, point)};
+    digits += decimals;
+    std::int64_t at = -1;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), at);
+    if (point == 0 || error != std::errc{} || end != digits.data() + digits.size() || at < 0 || at > kLongest.count())
+        return std::nullopt;
+    return std::chrono::nanoseconds{at};
+}
+
 }  // namespace
 
 std::string dialogueText(std::span<const std::uint8_t> bytes)
@@ -123,7 +153,7 @@ std::string dialogueText(std::span<const std::uint8_t> bytes)
 
 std::string dialogueLines(const DialogueEvent& event)
 {
-    const std::string beginning = std::to_string(event.at.count()) + " " + markOf(event.kind) + " ";
+    const std::string beginning = timeText(event.at) + " " + markOf(event.kind) + " ";
     std::span<const std::uint8_t> rest = event.bytes;
     if (event.kind == DialogueEvent::Kind::Lost)
         return beginning + escaped(rest.first(std::min(rest.size(), kMostDialogueBytes)), ' ') + "\n";
@@ -173,19 +203,18 @@ Result<std::optional<DialogueEvent>> DialogueReader::next()
     const std::string_view time = takeWord(rest);
     const auto kind = kindOf(takeWord(rest));
     auto bytes = bytesOfText(rest);
-    std::int64_t at = -1;
-    const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), at);
-    if (error != std::errc{} || end != time.data() + time.size() || at < 0 || at > kLongest.count())
-        return refuse("begins with no time in whole microseconds");
+    const auto at = timeOf(time);
+    if (!at)
+        return refuse("begins with no time in microseconds, with three decimals at most");
     if (!kind)
         return refuse("behind the time there must be '>', '<' or '!' between spaces");
     if (!bytes)
         return refuse(R"(bytes are printable ASCII, \\, \n, \r or \x with two digits)");
     if (*kind != DialogueEvent::Kind::Lost && bytes->empty())
         return refuse("no bytes");
-    if (std::chrono::microseconds{at} < last_)
+    if (*at < last_)
         return refuse("time runs backwards");
-    last_ = std::chrono::microseconds{at};
+    last_ = *at;
     isLost_ = *kind == DialogueEvent::Kind::Lost;
     return DialogueEvent{*kind, last_, std::move(*bytes)};
 }

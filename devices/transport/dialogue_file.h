@@ -24,7 +24,7 @@ struct DialogueEvent {
         Lost,        ///< the link was lost; the bytes are the reason as text. Nothing comes after it
     };
     Kind kind = Kind::ToDevice;
-    std::chrono::microseconds at{0};  ///< since the dialogue began; never less than that of the event before
+    std::chrono::nanoseconds at{0};  ///< since the dialogue began; never less than that of the event before
     std::vector<std::uint8_t> bytes;
 };
 
@@ -33,14 +33,14 @@ struct DialogueEvent {
 ///     planewright-dialogue 1
 ///     # 192.168.0.10:10940
 ///     0 > QT\n
-///     1840 < QT\n00P\n\n
+///     1840.25 < QT\n00P\n\n
 ///     73000000 ! closed the connection; check its power
 ///
 /// The first line is the format with its version, lines with '#' are remarks, every other line is an event: its time
-/// [µs], '>' to the device, '<' from it or '!' lost, and what was said. Printable ASCII stands for itself, but for the
-/// backslash, which is \\, and the space, which is \x20, since editors lose it at line ends; line feeds are \n,
-/// carriage returns \r, and every other byte is \x and two digits; the reason of a loss keeps its spaces. What came
-/// together may stand in several lines of the same time.
+/// [µs, up to three decimals], '>' to the device, '<' from it or '!' lost, and what was said. Printable ASCII stands
+/// for itself, but for the backslash, which is \\, and the space, which is \x20, since editors lose it at line ends;
+/// line feeds are \n, carriage returns \r, and every other byte is \x and two digits; the reason of a loss keeps its
+/// spaces. What came together may stand in several lines of the same time.
 inline constexpr const char* kDialogueFirstLine = "planewright-dialogue 1";
 
 /// No line is longer: four characters a byte, and the time.
@@ -81,7 +81,7 @@ private:
     std::ifstream file_;
     std::string text_;  ///< of the line that was read last
     int line_ = 0;
-    std::chrono::microseconds last_{0};
+    std::chrono::nanoseconds last_{0};
     bool isLost_ = false;
 };
 

@@ -41,6 +41,14 @@ Result<void> DialogueRecorder::write(std::span<const std::uint8_t> bytes, std::c
     return written;
 }
 
+TransportHealth DialogueRecorder::health() const
+{
+    TransportHealth health = link_->health();
+    if (health.trouble.empty())
+        health.trouble = trouble();
+    return health;
+}
+
 void DialogueRecorder::close()
 {
     isClosed_ = true;  // what the link says of it is no loss
@@ -52,8 +60,7 @@ void DialogueRecorder::add(DialogueEvent::Kind kind, std::chrono::nanoseconds at
 {
     if (isClosed_)
         return;
-    const auto since = std::chrono::duration_cast<std::chrono::microseconds>(at - began_);
-    writer_->add({kind, std::max(since, std::chrono::microseconds{0}), {bytes.begin(), bytes.end()}});
+    writer_->add({kind, std::max(at - began_, std::chrono::nanoseconds{0}), {bytes.begin(), bytes.end()}});
 }
 
 void DialogueRecorder::addLoss(const Error& error)

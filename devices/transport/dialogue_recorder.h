@@ -30,6 +30,8 @@ public:
 
     /// Empty, or a line about why the record is not complete. Any thread.
     std::string trouble() const { return writer_->trouble(); }
+    /// That of the link, and where it has no trouble, that of the record.
+    TransportHealth health() const override;
 
 private:
     void add(DialogueEvent::Kind kind, std::chrono::nanoseconds at, std::span<const std::uint8_t> bytes);

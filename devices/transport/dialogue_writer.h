@@ -58,7 +58,7 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::string waiting_;
-    std::chrono::microseconds last_{0};
+    std::chrono::nanoseconds last_{0};
     bool isLost_ = false;
     bool isFinished_ = false;
     std::string trouble_;

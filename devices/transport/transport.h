@@ -14,6 +14,12 @@
 
 namespace planewright {
 
+/// What a transport knows of its own troubles, beside the errors of its calls.
+struct TransportHealth {
+    std::uint64_t overruns = 0;  ///< how often an adapter has told that it lost bytes, which nobody fetched in time
+    std::string trouble;         ///< empty, or a line about something beside the link: its record is not complete
+};
+
 /// Bytes to one device and from it: a serial line, a USB pipe, a TCP connection, or memory.
 ///
 /// A transport is open from when it is made until close() or until the device is gone; then every call gives the same
@@ -43,6 +49,9 @@ public:
     /// Hands over all of the bytes; returns when the system has them. Errors (DeviceLost): as for read(), and where
     /// the device has not taken them before the deadline.
     virtual Result<void> write(std::span<const std::uint8_t> bytes, std::chrono::nanoseconds deadline) = 0;
+
+    /// Any thread.
+    virtual TransportHealth health() const { return {}; }
 
     /// Ends it in order: no transfer is left, nothing more is sent. Whoever waits in a call comes back. Twice is fine.
     virtual void close() = 0;

@@ -36,7 +36,9 @@ struct UsbDevice {
     std::string serial;
     UsbKind kind = UsbKind::CdcAcm;
     UsbAccess access = UsbAccess::Openable;
-    std::string driver;  ///< kernel driver that has it, "cdc_acm", and gives it up on opening; "usbfs": a program
+    std::string driver;      ///< kernel driver that has it, "cdc_acm", and gives it up on opening; "usbfs": a program
+    std::string serialPort;  ///< that this driver has made of it: "/dev/ttyACM0"
+    std::string holder;      ///< who has that port open: "the program rosrun (process 4711)"; empty: nobody known
 
     /// What messages begin with: "usb 1-4".
     std::string name() const { return "usb " + port; }

@@ -26,6 +26,9 @@ std::string describe(const UsbDevice& device)
 
 std::string busyMessage(const UsbDevice& device)
 {
+    if (!device.holder.empty())
+        return device.holder + " has its serial port " + device.serialPort + " open (kernel driver " + device.driver +
+               "); close that program, or let it be the one that scans";
     if (device.driver.empty() || device.driver == "usbfs")
         return "another program has it; close that program";
     return "the kernel driver " + device.driver +

@@ -31,6 +31,7 @@ public:
                          const std::stop_token& stop) override;
     Result<void> write(std::span<const std::uint8_t> bytes, std::chrono::nanoseconds deadline) override;
     void close() override { pipe_->close(); }
+    TransportHealth health() const override { return {overruns(), {}}; }
 
     /// Another baud rate from now on. Errors (Usage): no such rate; DeviceLost: gone or closed.
     Result<void> setRate(int rate);

@@ -6,6 +6,7 @@
 #include <libusb.h>
 #include <vector>
 
+#include "devices/transport/port_holder.h"
 #include "devices/transport/usb_error.h"
 #include "devices/transport/usb_sysfs.h"
 
@@ -26,13 +27,20 @@ Result<std::unique_ptr<UsbHandle>> UsbHandle::open(std::shared_ptr<UsbBus> bus, 
     std::unique_ptr<UsbHandle> self{new UsbHandle(std::move(bus), device)};
     self->lent_ = loan->device;
     self->layout_ = loan->layout;
+    UsbDevice now = device;  // the list may be old: who has it now?
+    now.driver = usbDriver(device.port, self->layout_.configuration, self->layout_.dataInterface);
+    now.serialPort = usbSerialPort(device.port, self->layout_.configuration, self->layout_.controlInterface);
     int status = libusb_open(self->lent_, &self->handle_);
-    if (status == LIBUSB_SUCCESS)
+    // To take it from a kernel driver is to pull the cable out for whoever uses the driver's serial port.
+    const auto holder =
+        status == LIBUSB_SUCCESS && !now.serialPort.empty() ? holderOrLockOf(now.serialPort) : std::nullopt;
+    now.holder = holder ? holder->describe() : std::string{};
+    if (holder)
+        status = LIBUSB_ERROR_BUSY;
+    else if (status == LIBUSB_SUCCESS)
         status = self->claim();
     if (status == LIBUSB_SUCCESS)
         return self;
-    UsbDevice now = device;  // the list may be old: who has it now?
-    now.driver = usbDriver(device.port, self->layout_.configuration, self->layout_.dataInterface);
     return tl::unexpected<Error>(usbOpenError(now, status));
 }
 

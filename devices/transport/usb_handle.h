@@ -31,7 +31,7 @@ struct UsbRequest {
 class UsbHandle {
 public:
     /// `onGone`: see UsbBus::lend(). Errors (NoDevice): no right, another program, gone; usbOpenError() says what to
-    /// do.
+    /// do. A device whose serial port of the kernel's driver another program has open is left to that program.
     static Result<std::unique_ptr<UsbHandle>> open(std::shared_ptr<UsbBus> bus, const UsbDevice& device,
                                                    std::function<void()> onGone);
     ~UsbHandle();

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "devices/transport/port_holder.h"
 #include "devices/transport/usb_sysfs.h"
 
 namespace planewright {
@@ -66,7 +67,9 @@ std::optional<IdentifiedUsbDevice> identifyUsbDevice(libusb_device* device)
                                          .serial = {},
                                          .kind = layout->kind,
                                          .access = UsbAccess::Openable,
-                                         .driver = {}},
+                                         .driver = {},
+                                         .serialPort = {},
+                                         .holder = {}},
                                .layout = *layout};
 }
 
@@ -76,7 +79,10 @@ bool probeUsbDevice(libusb_device* device, const UsbLayout& layout, UsbDevice& e
     entry.productName = usbAttribute(entry.port, "product");
     entry.serial = usbAttribute(entry.port, "serial");
     entry.driver = usbDriver(entry.port, layout.configuration, layout.dataInterface);
-    if (entry.driver == "usbfs")
+    entry.serialPort = usbSerialPort(entry.port, layout.configuration, layout.controlInterface);
+    const auto holder = entry.serialPort.empty() ? std::nullopt : holderOf(entry.serialPort);
+    entry.holder = holder ? holder->describe() : std::string{};
+    if (entry.driver == "usbfs" || holder)
         entry.access = UsbAccess::Busy;
     if (entry.access == UsbAccess::Busy)
         return true;

@@ -18,6 +18,11 @@ std::filesystem::path folderOf(const std::string& device)
     return std::filesystem::path{"/sys/bus/usb/devices"} / device;
 }
 
+std::filesystem::path folderOfInterface(const std::string& port, int configuration, int interface)
+{
+    return folderOf(port + ":" + std::to_string(configuration) + "." + std::to_string(interface));
+}
+
 }  // namespace
 
 std::string usbAttribute(const std::string& port, const std::string& attribute)
@@ -31,8 +36,26 @@ std::string usbAttribute(const std::string& port, const std::string& attribute)
 std::string usbDriver(const std::string& port, int configuration, int interface)
 {
     std::error_code unused;
-    const std::string name = port + ":" + std::to_string(configuration) + "." + std::to_string(interface);
-    return printable(std::filesystem::read_symlink(folderOf(name) / "driver", unused).filename().string());
+    return printable(std::filesystem::read_symlink(folderOfInterface(port, configuration, interface) / "driver", unused)
+                         .filename()
+                         .string());
+}
+
+std::string usbSerialPort(const std::string& port, int configuration, int interface)
+{
+    // cdc_acm makes tty/ttyACM0 of an interface, the drivers of converters ttyUSB0/tty/ttyUSB0.
+    const std::filesystem::path folder = folderOfInterface(port, configuration, interface);
+    std::error_code error;
+    for (std::filesystem::directory_iterator each(folder / "tty", error), end; !error && each != end;
+         each.increment(error))
+        return "/dev/" + each->path().filename().string();
+    error.clear();
+    for (std::filesystem::directory_iterator each(folder, error), end; !error && each != end; each.increment(error)) {
+        const std::string name = each->path().filename().string();
+        if (name.starts_with("ttyUSB"))
+            return "/dev/" + name;
+    }
+    return {};
 }
 
 std::string printable(std::string text)

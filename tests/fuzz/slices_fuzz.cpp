@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/simulation/scenes.h"
+#include "devices/board/board_tilt.h"
 #include "devices/dynamixel/dynamixel_tilt.h"
+#include "devices/emulated/emulated_board.h"
 #include "devices/emulated/emulated_laser.h"
 #include "devices/emulated/emulated_link.h"
 #include "devices/emulated/emulated_servo.h"
@@ -16,8 +18,9 @@
 #include "devices/scip/scip_laser.h"
 #include "tests/devices/fake_clock.h"
 
-/// Bytes to slices: an emulated laser and servo, whose bytes the input changes on their way. Whatever comes, the
-/// scanner ends, and its slices are whole, in order, and have angles that the head really had.
+/// Bytes to slices: an emulated laser on a servo, or on a control board where the input has an odd length, whose bytes
+/// the input changes on their way. Whatever comes, the scanner ends, and its slices are whole, in order, and have
+/// angles that the head really had.
 namespace planewright {
 
 namespace {
@@ -124,17 +127,21 @@ struct Rig {
     std::shared_ptr<std::mutex> mutex = std::make_shared<std::mutex>();
     TiltMounting mounting{degrees(90.0), 1.0, 1.0, degrees(0.0), degrees(180.0), degrees(120.0)};
     std::shared_ptr<EmulatedServo> servo;
+    std::shared_ptr<EmulatedBoard> board;  ///< one of the two
     std::shared_ptr<EmulatedLaser> laser;
 
-    Rig()
+    explicit Rig(bool hasBoard)
     {
-        servo = EmulatedServo::make({.mounting = mounting, .pitch = kFirstPitch}).value();
+        if (hasBoard)
+            board = EmulatedBoard::make({.mounting = mounting, .startPitch = kFirstPitch}).value();
+        else
+            servo = EmulatedServo::make({.mounting = mounting, .pitch = kFirstPitch}).value();
         static const Scene room = makeScene("corridor", 1).value();
         const auto view = std::make_shared<EmulatedView>(room, SimulationNoise{}, 1);
         EmulatedLaserOptions options;
         options.model = emulatedLaserModel("UTM-30LX").value();
         laser = EmulatedLaser::make(
-                    view, [this](auto at) { return servo->pitchAt(at); }, options)
+                    view, [this](auto at) { return board ? board->pitchAt(at) : servo->pitchAt(at); }, options)
                     .value();
     }
 
@@ -155,14 +162,17 @@ struct Rig {
 
 void scanThrough(std::span<const std::uint8_t> input)
 {
-    Rig rig;
+    Rig rig{input.size() % 2 == 1};
     const std::size_t half = input.size() / 8 * 4;
     const auto laserEdits = std::make_shared<Edits>(input.first(half));
-    const auto servoEdits = std::make_shared<Edits>(input.subspan(half));
+    const auto tiltEdits = std::make_shared<Edits>(input.subspan(half));
     const auto openLaser = rig.opener<EmulatedLaser, ScipLaser>(rig.laser, laserEdits);
     DynamixelOptions options;
     options.mounting = rig.mounting;
-    const auto openServo = rig.opener<EmulatedServo, DynamixelTilt>(rig.servo, servoEdits, options);
+    const auto openServo = rig.opener<EmulatedServo, DynamixelTilt>(rig.servo, tiltEdits, options);
+    BoardTiltOptions boardOptions;
+    boardOptions.mounting = rig.mounting;
+    const auto openBoard = rig.opener<EmulatedBoard, BoardTilt>(rig.board, tiltEdits, boardOptions);
     ScanPlan plan;
     plan.firstPitch = kFirstPitch;
     plan.slices = kSlices;
@@ -174,7 +184,8 @@ void scanThrough(std::span<const std::uint8_t> input)
             return openLaser(stop).map([](auto p) { return std::unique_ptr<Laser>(std::move(p)); });
         },
         [&](const std::stop_token& stop) {
-            return openServo(stop).map([](auto p) { return std::unique_ptr<TiltUnit>(std::move(p)); });
+            const auto asUnit = [](auto p) { return std::unique_ptr<TiltUnit>(std::move(p)); };
+            return rig.board ? openBoard(stop).map(asUnit) : openServo(stop).map(asUnit);
         }};
     auto scanner = NoddingSource::open(devices, plan, rig.clock, {});
     if (!scanner)

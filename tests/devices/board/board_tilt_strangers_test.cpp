@@ -206,9 +206,9 @@ void BoardTiltStrangersTest::aBoardThatRefusesToBeArmedIsReported()
 
 void BoardTiltStrangersTest::aMoveThatTheBoardRefusesIsReported()
 {
-    for (const auto& [nak, code] : {std::pair{NakCode::State, ErrorCode::DeviceLost},
+    for (const auto& [nak, code] : {std::pair{NakCode::State, ErrorCode::NeedsOperator},
                                     {NakCode::Busy, ErrorCode::DeviceLost},
-                                    {NakCode::Estopped, ErrorCode::DeviceLost},
+                                    {NakCode::Estopped, ErrorCode::NeedsOperator},
                                     {NakCode::UnknownType, ErrorCode::DeviceLost},
                                     {NakCode::Range, ErrorCode::Usage}}) {
         Strange rig;

@@ -191,13 +191,13 @@ void BoardTiltTest::withoutCallsTheMotorStopsAndTheNextOneSaysWhy()
     const auto samples = rig.watch(1s);
 
     QVERIFY(!samples);
-    QCOMPARE(samples.error().code, ErrorCode::DeviceLost);
+    QCOMPARE(samples.error().code, ErrorCode::NeedsOperator);
     QVERIFY(samples.error().message.find("heartbeat") != std::string::npos);
     QVERIFY(samples.error().message.find("emulated board") != std::string::npos);
     QVERIFY(rig.pitch() < degrees(90.0 + 20.0 * 0.8));
     QVERIFY(rig.watch(1s));  // it said so once
     const auto moved = rig.tilt.moveTo(degrees(100.0), degrees(20.0));
-    QCOMPARE(moved.error().code, ErrorCode::DeviceLost);
+    QCOMPARE(moved.error().code, ErrorCode::NeedsOperator);
     QVERIFY(!rig.tilt.health().trouble.empty());
 
     QVERIFY(rig.tilt.arm({}));
@@ -442,6 +442,12 @@ void BoardTiltTest::itConnectsToABoardThatWasStoppedInAnEmergency()
 
     QVERIFY(torque > 0);
     QCOMPARE(rig.board->torque(), torque);
+    const auto armed = rig.tilt.arm({});  // who has stopped it may have a hand in it
+    QCOMPARE(armed.error().code, ErrorCode::NeedsOperator);
+    QVERIFY(armed.error().message.find("recover it") != std::string::npos);
+    QCOMPARE(rig.state(), State::Estopped);
+    QVERIFY(rig.tilt.recover({}));
+    QCOMPARE(rig.state(), State::Unarmed);
     QVERIFY(rig.tilt.arm({}));
     QCOMPARE(rig.state(), State::Armed);
 }

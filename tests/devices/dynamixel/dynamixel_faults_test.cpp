@@ -24,6 +24,9 @@ private slots:
     void recoverySetsTheTorqueLimitAndTheGoalWhereItStands();
     void recoveryWaitsUntilItIsCoolEnough();
     void recoveryIsRefusedASecondTime();
+    void aRefusedRequestIsLoggedAndEndsTheMotion_data();
+    void aRefusedRequestIsLoggedAndEndsTheMotion();
+    void silenceAndDamageAreLogged();
     void recoveryOfTwoRestartsTheServo();
     void aSupplyThatIsBackNeedsNoRecovery();
     void silenceIsToldAfterThreeTries_data();
@@ -110,7 +113,7 @@ void DynamixelFaultsTest::whatDoesNotMoveIsToldTwiceAndThenHeld()
     const auto arrived = rig.arrive();
 
     QVERIFY(!arrived);
-    QCOMPARE(arrived.error().code, ErrorCode::DeviceLost);
+    QCOMPARE(arrived.error().code, ErrorCode::NeedsOperator);
     VERIFY_SAYS(arrived.error().message, {"servo 1 is stuck", "60.1 deg", load.toStdString(), "14.8 V", "38 °C"});
     QCOMPARE(rig.tilt->motor().trouble, arrived.error().message);
     // No progress for 300 ms, told again, 300 ms more.
@@ -123,7 +126,7 @@ void DynamixelFaultsTest::whatDoesNotMoveIsToldTwiceAndThenHeld()
     const double goal =
         (double(fromLittleEndian(std::span{writes[1].parameters}.subspan(1))) - 512) * degrees(300.0 / 1023.0);
     QVERIFY(std::abs(goal - there) < degrees(0.3));
-    QCOMPARE(rig.tilt->moveTo(0.0, 1.0).error().code, ErrorCode::DeviceLost);
+    QCOMPARE(rig.tilt->moveTo(0.0, 1.0).error().code, ErrorCode::NeedsOperator);
     VERIFY_DONE(rig.tilt->arm({}));
     QVERIFY(rig.tilt->motor().trouble.empty());
 }
@@ -188,7 +191,7 @@ void DynamixelFaultsTest::anAlarmEndsTheMotionAndNamesItsNumbers()
     const auto sample = rig.sample();
 
     QVERIFY(!sample);
-    QCOMPARE(sample.error().code, ErrorCode::DeviceLost);
+    QCOMPARE(sample.error().code, ErrorCode::NeedsOperator);
     for (const QString& word : words.split('|'))
         VERIFY_SAYS(sample.error().message, {word.toStdString()});
     QCOMPARE(rig.tilt->motor().trouble, sample.error().message);
@@ -201,7 +204,7 @@ void DynamixelFaultsTest::anAlarmEndsTheMotionAndNamesItsNumbers()
         QVERIFY(!rig.sample());
     QVERIFY(!rig.tilt->moveTo(0.0, 1.0));
     QVERIFY(!rig.tilt->arm({}));
-    QCOMPARE(rig.tilt->moveTo(0.0, 1.0).error().code, ErrorCode::DeviceLost);
+    QCOMPARE(rig.tilt->moveTo(0.0, 1.0).error().code, ErrorCode::NeedsOperator);
     for (const DynamixelPacket& write : rig.writes())
         QVERIFY(write.parameters[0] == (model == 64 ? 30 : 116));  // at most the goal, where it is
     QVERIFY(rig.writes().size() <= 1);
@@ -217,7 +220,7 @@ void DynamixelFaultsTest::anAlarmAtConnectIsSeenBeforeAnythingMoves()
         VERIFY_SAYS(rig.tilt->motor().trouble, {"alarm"});
         const auto armed = rig.tilt->arm({});
         QVERIFY(!armed);
-        QCOMPARE(armed.error().code, ErrorCode::DeviceLost);
+        QCOMPARE(armed.error().code, ErrorCode::NeedsOperator);
         for (const WrittenRequest& request : rig.link->written())
             QVERIFY(request.packet.code != kWrite);
     }
@@ -263,6 +266,63 @@ void DynamixelFaultsTest::recoveryWaitsUntilItIsCoolEnough()
     rig.clock.advance(3s);
     VERIFY_DONE(rig.tilt->recover({}));
     VERIFY_DONE(rig.tilt->arm({}));
+}
+
+void DynamixelFaultsTest::aRefusedRequestIsLoggedAndEndsTheMotion_data()
+{
+    QTest::addColumn<int>("model");
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<QString>("words");
+    for (const int model : {64, 1020}) {
+        const auto row = [&](const char* fault, const char* one, const char* two) {
+            QTest::addRow("%s of %d", fault, model) << model << fault << (model == 64 ? one : two);
+        };
+        row("servo-angle-bit", "beyond the angle limits", "beyond a limit");
+        row("servo-range-bit", "out of range", "out of range");
+        row("servo-checksum-bit", "wrong checksum", "wrong CRC");
+        row("servo-instruction-bit", "unknown instruction", "unknown instruction");
+    }
+}
+
+void DynamixelFaultsTest::aRefusedRequestIsLoggedAndEndsTheMotion()
+{
+    QFETCH(int, model);
+    QFETCH(QString, fault);
+    QFETCH(QString, words);
+    Moving rig{fault.toStdString(), emulated(static_cast<std::uint16_t>(model))};
+
+    const auto sample = rig.sample();
+
+    QVERIFY(!sample);
+    QCOMPARE(sample.error().code, ErrorCode::Internal);
+    VERIFY_SAYS(sample.error().message, {words.toStdString(), "please report this line"});
+    const std::vector<FaultRecord> log = rig.tilt->takeLog();
+    QCOMPARE(log.size(), std::size_t(1));
+    QCOMPARE(log[0].code, std::string{"servo-refused"});
+    VERIFY_SAYS(log[0].text, {words.toStdString()});
+    QVERIFY(log[0].bytes.starts_with("FF FF "));  // the request
+    QVERIFY(sample.error().message.find(log[0].bytes) != std::string::npos);
+    QVERIFY(!rig.tilt->moveTo(0.0, 1.0));
+}
+
+void DynamixelFaultsTest::silenceAndDamageAreLogged()
+{
+    Moving silent{"servo-silent"};
+    QVERIFY(!silent.sample());
+    std::vector<FaultRecord> log = silent.tilt->takeLog();
+    QCOMPARE(log.size(), std::size_t(3));  // three tries
+    QCOMPARE(log[0].code, std::string{"servo-silent"});
+    QCOMPARE(log[0].bytes, std::string{"FF FF 01 04 02 24 0B C9"});  // the question for the state
+    QCOMPARE(silent.tilt->health().faults.at("servo-silent"), std::uint64_t(3));
+
+    Moving hot{"servo-overheat"};
+    QVERIFY(!hot.sample());
+    log = hot.tilt->takeLog();
+    QCOMPARE(log.size(), std::size_t(1));
+    QCOMPARE(log[0].code, std::string{"servo-alarm"});
+    QVERIFY2(log[0].bytes.starts_with("FF FF 01 0D 04 "), log[0].bytes.c_str());  // its answer, with bit 2
+    QVERIFY(!hot.sample());
+    QVERIFY(hot.tilt->takeLog().empty());  // the same alarm is no news
 }
 
 void DynamixelFaultsTest::recoveryIsRefusedASecondTime()

@@ -24,6 +24,10 @@ private slots:
     void unknownTypesAndWrongLengthsAreNamed();
     void theFirstReasonThatAppliesIsGiven();
     void aTriggerWaitsForOneEdgeOnly();
+    void theButtonStopsAndCountsForNoEstop();
+    void aCauseThatIsThereKeepsTheFault_data();
+    void aCauseThatIsThereKeepsTheFault();
+    void withoutTheWireNoEdgeComes();
 };
 
 namespace {
@@ -284,6 +288,86 @@ void EmulatedBoardStatesTest::aTriggerWaitsForOneEdgeOnly()
 
     QCOMPARE(host.all<SliceEvent>().size(), std::size_t(1));
     host.get<TriggerReply>(Trigger{2});
+}
+
+void EmulatedBoardStatesTest::theButtonStopsAndCountsForNoEstop()
+{
+    EmulatedBoardSetup setup = levelBoard();
+    setup.faults = {{"board-button", 1}};
+    bool isPressed = false;
+    setup.turns = [&](std::chrono::nanoseconds) { return isPressed ? 1 : 0; };
+    BoardHost host{setup};
+    host.greetAndArm();
+    host.get<MoveReply>(Move{700, 100, 1, 0});
+    isPressed = true;
+    host.wait(10ms);
+    QCOMPARE(host.get<StatusReply>(GetStatus{}).state, State::Estopped);
+    QCOMPARE(host.board().torque(), 300);
+
+    host.get<EstopReply>(Estop{});
+
+    QCOMPARE(host.board().torque(), 300);  // the first ESTOP of the host, not the second
+    QCOMPARE(host.get<ClearFaultReply>(ClearFault{}).state, State::Estopped);  // it is still pressed
+    host.wait(2s);
+    QCOMPARE(host.get<StatusReply>(GetStatus{}).state, State::Estopped);
+    QCOMPARE(host.get<ClearFaultReply>(ClearFault{}).state, State::Unarmed);
+    QCOMPARE(host.get<ArmReply>(Arm{1}).state, State::Armed);
+}
+
+void EmulatedBoardStatesTest::aCauseThatIsThereKeepsTheFault_data()
+{
+    QTest::addColumn<QString>("fault");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<int>("detail");
+    QTest::newRow("overload") << "board-overload" << 0x12 << 0x20;
+    QTest::newRow("heat") << "board-overheat" << 0x13 << 82;
+    QTest::newRow("voltage") << "board-voltage" << 0x14 << 9000;
+}
+
+void EmulatedBoardStatesTest::aCauseThatIsThereKeepsTheFault()
+{
+    QFETCH(QString, fault);
+    QFETCH(int, code);
+    QFETCH(int, detail);
+    EmulatedBoardSetup setup = levelBoard();
+    setup.faults = {{fault.toStdString(), 1}};
+    bool isThere = false;
+    setup.turns = [&](std::chrono::nanoseconds) { return isThere ? 1 : 0; };
+    BoardHost host{setup};
+    host.greetAndArm();
+    isThere = true;
+    host.wait(10ms);
+
+    const auto told = host.all<FaultEvent>();
+    QCOMPARE(told.size(), std::size_t(1));
+    QCOMPARE(static_cast<int>(told[0].code), code);
+    QCOMPARE(told[0].state, State::Fault);
+    QCOMPARE(static_cast<int>(told[0].detail), detail);
+    const StatusReply status = host.get<StatusReply>(GetStatus{});
+    QCOMPARE(static_cast<int>(status.tempC), code == 0x13 ? 82 : 38);
+    QCOMPARE(static_cast<int>(status.voltMv), code == 0x14 ? 9000 : 14800);
+    QCOMPARE(host.get<ClearFaultReply>(ClearFault{}).state, State::Fault);
+    host.wait(3s);
+    QCOMPARE(host.get<StatusReply>(GetStatus{}).state, State::Fault);
+    QCOMPARE(host.get<ClearFaultReply>(ClearFault{}).state, State::Unarmed);
+    QCOMPARE(host.get<StatusReply>(GetStatus{}).fault, Fault::None);
+}
+
+void EmulatedBoardStatesTest::withoutTheWireNoEdgeComes()
+{
+    EmulatedBoardSetup setup = levelBoard();
+    setup.faults = {{"board-no-sync", 0}};
+    BoardHost host{setup};
+    host.greetAndArm();
+
+    host.get<SweepReply>(Sweep{512, 600, 4, 20, 0, 8, 160, 1});
+    host.wait(2s);
+
+    const auto told = host.all<FaultEvent>();
+    QCOMPARE(told.size(), std::size_t(1));
+    QCOMPARE(told[0].code, Fault::NoSync);
+    QCOMPARE(host.get<StatusReply>(GetStatus{}).state, State::Stopped);
+    QVERIFY(host.all<SliceEvent>().empty());
 }
 
 }  // namespace planewright

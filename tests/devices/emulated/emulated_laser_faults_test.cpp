@@ -39,6 +39,8 @@ private slots:
     void aLaserThatStartsIsSilentForThreeSeconds();
     void aFaultOfTheHardwareStays();
     void whatIsThereAtConnectIsThere();
+    void limitsThatHaveChangedAreToldAndKept();
+    void anotherModelIsTold();
     void aFaultGivenTwiceStrikesTwice();
     void theSameSeedGivesTheSameBytes();
 };
@@ -75,7 +77,7 @@ void EmulatedLaserFaultsTest::everyKindIsKnownAndSaid()
                                    "laser-stuck-time", "laser-wrap", "laser-reset", "laser-count", "laser-blind",
                                    "laser-garbage", "laser-duplicate", "laser-delay", "laser-byte-loss"})
         QVERIFY2(checkLaserFault({kind, 3}).has_value(), kind);
-    QCOMPARE(laserFaultKinds().size(), std::size_t(19));
+    QCOMPARE(laserFaultKinds().size(), std::size_t(21));
     for (const LaserFaultKind& kind : laserFaultKinds())
         QVERIFY(kind.sentence.size() > 10);
 }
@@ -295,6 +297,37 @@ void EmulatedLaserFaultsTest::whatIsThereAtConnectIsThere()
     QCOMPARE(inTimeMode.ask("QT"), std::string{"QT\n0Ee\n\n"});
     LaserRig old{laserOptions("URG-04LX", {{"laser-scip1", 0}})};
     QCOMPARE(old.ask("VV"), std::string{"VV\nE\n\n"});
+}
+
+void EmulatedLaserFaultsTest::limitsThatHaveChangedAreToldAndKept()
+{
+    LaserRig rig{laserOptions("UTM-30LX", {{"laser-limits", 3}})};
+    QVERIFY(rig.ask("PP").find("AMIN:0;") != std::string::npos);
+    rig.ask("MD0000108000000");
+    rig.hear(rig.now + 200ms);
+    rig.ask("QT");
+
+    const std::string limits = rig.ask("PP");
+
+    // Ten degrees are 40 of 1440 steps.
+    QVERIFY2(limits.find("AMIN:40;") != std::string::npos, limits.c_str());
+    QVERIFY2(limits.find("AMAX:1040;") != std::string::npos, limits.c_str());
+    QVERIFY(rig.ask("MD0039104000000").find("\n04") != std::string::npos);
+    QVERIFY(rig.ask("MD0040104000000").find("\n00P") != std::string::npos);
+}
+
+void EmulatedLaserFaultsTest::anotherModelIsTold()
+{
+    LaserRig rig{laserOptions("UTM-30LX", {{"laser-model", 3}})};
+    const std::string serial = rig.ask("VV");
+    rig.ask("MD0000108000000");
+    rig.hear(rig.now + 200ms);
+    rig.ask("QT");
+
+    QVERIFY(rig.ask("PP").find("MODL:UTM-30LX-EW(") != std::string::npos);
+    const std::string identity = rig.ask("VV");
+    QVERIFY(identity.find("TOP-URG UTM-30LX-EW;") != std::string::npos);
+    QCOMPARE(identity.substr(identity.find("SERI:")), serial.substr(serial.find("SERI:")));
 }
 
 void EmulatedLaserFaultsTest::aFaultGivenTwiceStrikesTwice()

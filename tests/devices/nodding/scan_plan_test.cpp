@@ -16,6 +16,7 @@ class ScanPlanTest : public QObject {
 
 private slots:
     void theScanOfTable8IsTakenAsItIs();
+    void joinedStepsGiveFewerRangesFartherApart();
     void steppingTakesMoveRestAndTurnInWholeTurns();
     void aWideStepTakesSeveralTurns();
     void whatTheDevicesCannotDoIsSaid_data();
@@ -27,13 +28,30 @@ void ScanPlanTest::theScanOfTable8IsTakenAsItIs()
     const auto fitted = fitPlan({}, utm30lx(), StillUnit());
 
     QVERIFY2(fitted.has_value(), fitted ? "" : fitted.error().message.c_str());
-    QCOMPARE(fitted->firstStep, 180);  // 90 degrees to the right of step 540, four steps a degree
-    QCOMPARE(fitted->lastStep, 900);
+    QCOMPARE(fitted->steps.first, 180);  // 90 degrees to the right of step 540, four steps a degree
+    QCOMPARE(fitted->steps.last, 900);
     QCOMPARE(fitted->beams, 721);
     QCOMPARE(fitted->turnsPerSlice, 1);
     QCOMPARE(fitted->points, 98777.0);
     QVERIFY(std::abs(fitted->sweepSpeed - degrees(1.16) / 0.025) < 1e-12);
     QVERIFY(std::abs(fitted->time.count() - 137 * 0.025) < 1e-12);
+}
+
+void ScanPlanTest::joinedStepsGiveFewerRangesFartherApart()
+{
+    ScanPlan plan;
+    plan.cluster = 4;
+
+    const auto fitted = fitPlan(plan, utm30lx(), StillUnit());
+
+    QVERIFY(fitted.has_value());
+    QCOMPARE(fitted->steps.first, 180);
+    QCOMPARE(fitted->steps.last, 899);  // the 721st step would be a cluster alone
+    QCOMPARE(fitted->steps.cluster, 4);
+    QCOMPARE(fitted->beams, 180);
+    QCOMPARE(fitted->points, 180.0 * 137);
+    QVERIFY(std::abs(fitted->bearingStep - degrees(1.0)) < 1e-12);
+    QVERIFY(std::abs(fitted->firstBearing - degrees(0.375)) < 1e-12);  // the middle of 0°, 0.25°, 0.5° and 0.75°
 }
 
 void ScanPlanTest::steppingTakesMoveRestAndTurnInWholeTurns()
@@ -83,6 +101,12 @@ void ScanPlanTest::whatTheDevicesCannotDoIsSaid_data()
     row("backwards", "or before it begins", [](ScanPlan& p) { p.lastBearing = p.firstBearing; });
     row("beyond the laser's right", "sees from -45° to 225°", [](ScanPlan& p) { p.firstBearing = degrees(-50.0); });
     row("beyond the laser's left", "sees from -45° to 225°", [](ScanPlan& p) { p.lastBearing = degrees(226.0); });
+    row("no cluster", "1 to 99", [](ScanPlan& p) { p.cluster = 0; });
+    row("a cluster too large", "1 to 99", [](ScanPlan& p) { p.cluster = 100; });
+    row("fewer than two clusters", "fewer than two ranges", [](ScanPlan& p) {
+        p.cluster = 99;
+        p.lastBearing = degrees(45.0);
+    });
     row("above the unit", "from 0° to 180°", [](ScanPlan& p) { p.slices = 160; });
     row("below the unit", "from 0° to 180°", [](ScanPlan& p) { p.firstPitch = degrees(-1.0); });
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "devices/emulated/emulated_link.h"
+#include "devices/fault_log.h"
 #include "devices/scip/scip_laser.h"
 #include "tests/devices/emulated/laser_rig.h"
 #include "tests/devices/fake_clock.h"
@@ -64,6 +65,80 @@ private:
     std::function<std::string(const std::string&)> answer_;
     std::string line_;
     std::vector<EmulatedOutput> pending_;
+};
+
+/// A device before which somebody else answers: what `answer` gives for a request goes back in its place, empty for
+/// nothing; no value lets the request through.
+class FilteredDevice : public EmulatedDevice {
+public:
+    using Answer = std::function<std::optional<std::string>(const std::string&)>;
+    FilteredDevice(std::shared_ptr<EmulatedDevice> device, Answer answer)
+        : device_(std::move(device)), answer_(std::move(answer))
+    {
+    }
+
+    void receive(std::span<const std::uint8_t> bytes, std::chrono::nanoseconds now) override
+    {
+        for (const std::uint8_t byte : bytes) {
+            line_ += static_cast<char>(byte);
+            if (byte != '\n')
+                continue;
+            const std::string line = std::exchange(line_, {});
+            if (const auto answer = answer_(line.substr(0, line.size() - 1)))
+                own_.push_back({now, {answer->begin(), answer->end()}});
+            else
+                device_->receive(textBytes(line), now);
+        }
+    }
+
+    std::vector<EmulatedOutput> takeOutput(std::chrono::nanoseconds now) override
+    {
+        std::vector<EmulatedOutput> outputs = std::exchange(own_, {});
+        for (EmulatedOutput& output : device_->takeOutput(now))
+            outputs.push_back(std::move(output));
+        std::stable_sort(outputs.begin(), outputs.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+        return outputs;
+    }
+
+    std::optional<std::chrono::nanoseconds> nextOutput() const override
+    {
+        return own_.empty() ? device_->nextOutput() : own_.front().at;
+    }
+
+    bool isConnected(std::chrono::nanoseconds now) override { return device_->isConnected(now); }
+
+private:
+    std::shared_ptr<EmulatedDevice> device_;
+    Answer answer_;
+    std::string line_;
+    std::vector<EmulatedOutput> own_;
+};
+
+/// A device that hears and says nothing while it is deaf.
+class DeafDevice : public EmulatedDevice {
+public:
+    DeafDevice(std::shared_ptr<EmulatedDevice> device, const bool& isDeaf) : device_(std::move(device)), isDeaf_(isDeaf)
+    {
+    }
+
+    void receive(std::span<const std::uint8_t> bytes, std::chrono::nanoseconds now) override
+    {
+        if (!isDeaf_)
+            device_->receive(bytes, now);
+    }
+
+    std::vector<EmulatedOutput> takeOutput(std::chrono::nanoseconds now) override
+    {
+        std::vector<EmulatedOutput> outputs = device_->takeOutput(now);
+        return isDeaf_ ? std::vector<EmulatedOutput>{} : outputs;
+    }
+
+    std::optional<std::chrono::nanoseconds> nextOutput() const override { return device_->nextOutput(); }
+    bool isConnected(std::chrono::nanoseconds now) override { return device_->isConnected(now); }
+
+private:
+    std::shared_ptr<EmulatedDevice> device_;
+    const bool& isDeaf_;
 };
 
 /// A link that notes what is asked.

@@ -250,10 +250,12 @@ void ScipLaserFaultsTest::aFaultOfTheHardwareInAStreamIsResetOnceAndTold()
     const auto scan = bench.next();
 
     QVERIFY(!scan);
-    QCOMPARE(scan.error().code, ErrorCode::DeviceLost);
+    QCOMPARE(scan.error().code, ErrorCode::NeedsOperator);
     QVERIFY(scan.error().message.find("status 70") != std::string::npos);
+    QVERIFY(scan.error().message.find("switch its power off and on") != std::string::npos);
     QCOMPARE(bench.timesAsked("RS"), std::size_t(1));
     QCOMPARE(bench.timesAsked("RB"), std::size_t(0));
+    QCOMPARE(bench.asked.back(), std::string{"QT"});
     QVERIFY(!*bench.next(1s));
 }
 
@@ -412,7 +414,13 @@ void ScipLaserFaultsTest::aCoveredWindowIsToldAndScansAreStillGiven()
 
     QCOMPARE(scans.size(), std::size_t(10));
     QVERIFY(scans[0].ranges == std::vector<std::uint32_t>(81, 0));
+    QVERIFY(scans[0].codes == std::vector<std::uint32_t>(81, 4));  // "out of range at the near end"
     QVERIFY(bench.laser->health().trouble.find("window") != std::string::npos);
+    const std::vector<FaultRecord> log = bench.laser->takeLog();
+    QCOMPARE(log.size(), std::size_t(1));  // once, and not with every scan
+    QCOMPARE(log[0].code, std::string{"laser-blind"});
+    QCOMPARE(log[0].text, std::string{"almost no beam comes back: 81 times 4"});
+    QVERIFY(log[0].bytes.starts_with("30 30 34 30 30 34"));  // "004004"
 }
 
 void ScipLaserFaultsTest::aScanThatComesTwiceIsGivenOnce()

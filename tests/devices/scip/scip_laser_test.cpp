@@ -3,11 +3,13 @@
 
 #include "devices/scip/scip_laser.h"
 
+#include <algorithm>
 #include <cmath>
 #include <thread>
 
 #include <QtTest>
 
+#include "core/types/angle.h"
 #include "tests/devices/scip/laser_bench.h"
 
 namespace planewright {
@@ -29,6 +31,8 @@ private slots:
     void aDeadlineComesBeforeTheScanAndLosesNothing();
     void whatWaitsIsGivenWithoutWaiting();
     void noScanIsLostWhereNobodyAsksForAWhile();
+    void joinedStepsGiveTheLeastRangeOfEachCluster();
+    void clustersThatNoLaserHasAreRefused();
     void stopsAndStartsAgain();
     void aStartWhileItScansStartsAnew();
     void endsScanningWhenItGoes();
@@ -220,6 +224,48 @@ void ScipLaserTest::noScanIsLostWhereNobodyAsksForAWhile()
     QCOMPARE(bench.laser->health().late, std::uint64_t(0));
     QCOMPARE(bench.timesAsked("MD0500058000000"), std::size_t(1));
     QCOMPARE(std::chrono::round<std::chrono::milliseconds>(scans.back().first - scans.front().first).count(), 309 * 25);
+}
+
+void ScipLaserTest::joinedStepsGiveTheLeastRangeOfEachCluster()
+{
+    LaserBench bench{laserOptions()};
+    QVERIFY(bench.connect());
+    const LaserBeams beams{500, 580, 4};
+    QVERIFY(bench.laser->start(beams, {}));
+
+    const auto scans = bench.scans(20);
+
+    QCOMPARE(bench.timesAsked("MD0500058004000"), std::size_t(1));
+    QCOMPARE(scans.size(), std::size_t(20));
+    QCOMPARE(scans[0].ranges.size(), std::size_t(21));  // 20 of four steps, and the last step alone
+    QCOMPARE(beams.count(), 21);
+    for (int cluster = 0; cluster < 21; ++cluster) {
+        // The wall is 4 m away: the step nearest to the front, 540, has the least range.
+        const int first = 500 + 4 * cluster;
+        const int nearest = std::clamp(540, first, std::min(first + 3, 580));
+        const double range = 4000.0 / std::cos((nearest - 540) * degrees(0.25));
+        QVERIFY(std::abs(scans[0].ranges[static_cast<std::size_t>(cluster)] - range) <= 0.51);
+    }
+    // A range is that of the middle of its cluster: step 501.5 to step 581.5.
+    QVERIFY(std::abs(offMirror(scans[5].first, 501, bench.laser->limits()) - 0.5 * 25.0 / 1440.0) <= 1.0);
+    QVERIFY(std::chrono::abs(scans[5].last - scans[5].first - 80 * Time{25ms} / 1440) <= 1us);
+    QVERIFY(std::abs(beams.firstBearing(bench.laser->limits()) - degrees(90.0 - 38.5 * 0.25)) < 1e-12);
+    QVERIFY(std::abs(beams.bearingStep(bench.laser->limits()) - degrees(1.0)) < 1e-12);
+}
+
+void ScipLaserTest::clustersThatNoLaserHasAreRefused()
+{
+    LaserBench bench{laserOptions()};
+    QVERIFY(bench.connect());
+    for (const int cluster : {0, -1, 100}) {
+        const auto started = bench.laser->start(LaserBeams{500, 580, cluster}, {});
+
+        QVERIFY(!started);
+        QCOMPARE(started.error().code, ErrorCode::Usage);
+        QVERIFY(started.error().message.find("1 to 99") != std::string::npos);
+    }
+    QVERIFY(bench.laser->start(LaserBeams{500, 580, 99}, {}));
+    QCOMPARE(bench.scans(1).at(0).ranges, (std::vector<std::uint32_t>{4000}));
 }
 
 void ScipLaserTest::stopsAndStartsAgain()

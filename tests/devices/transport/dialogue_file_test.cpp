@@ -20,6 +20,7 @@ class DialogueFileTest : public QObject {
 
 private slots:
     void anEventIsALine();
+    void timesKeepTheirNanoseconds();
     void theReasonOfALossIsReadable();
     void everyByteComesBackAsItWas();
     void manyBytesTakeSeveralLinesOfTheSameTime();
@@ -78,6 +79,21 @@ void DialogueFileTest::anEventIsALine()
     QCOMPARE(dialogueLines({Kind::ToDevice, 0us, bytes("QT\n")}), std::string("0 > QT\\n\n"));
     QCOMPARE(dialogueLines({Kind::FromDevice, 1840us, bytes(std::string_view{"a b\\\r\xFF\0", 7})}),
              std::string("1840 < a\\x20b\\\\\\r\\xFF\\x00\n"));
+}
+
+void DialogueFileTest::timesKeepTheirNanoseconds()
+{
+    QCOMPARE(dialogueLines({Kind::ToDevice, 1840250ns, bytes("A")}), std::string("1840.25 > A\n"));
+    QCOMPARE(dialogueLines({Kind::ToDevice, 5ns, bytes("A")}), std::string("0.005 > A\n"));
+    QCOMPARE(dialogueLines({Kind::ToDevice, 100us, bytes("A")}), std::string("100 > A\n"));
+
+    const auto events = readAll(write("planewright-dialogue 1\n0.005 > A\n1840.25 < B\n1840.3 < C\n1900 < D\n"));
+
+    QVERIFY2(events, events ? "" : events.error().message.c_str());
+    QVERIFY(events->at(0).at == 5ns);
+    QVERIFY(events->at(1).at == 1840250ns);
+    QVERIFY(events->at(2).at == 1840300ns);
+    QVERIFY(events->at(3).at == 1900us);
 }
 
 void DialogueFileTest::theReasonOfALossIsReadable()
@@ -171,10 +187,14 @@ void DialogueFileTest::whatIsNoEventIsRefusedWithItsLine_data()
     };
     row("soon > QT", "no time");
     row("-1 > QT", "no time");
-    row("1.5 > QT", "no time");
+    row("1. > QT", "no time");
+    row(".5 > QT", "no time");
+    row("1.5000 > QT", "no time");
+    row("1.-5 > QT", "no time");
+    row("1.5.5 > QT", "no time");
     row("+1 > QT", "no time");
     row("99999999999999999999 > QT", "no time");
-    row("31536000000001 > QT", "no time");
+    row("31536000000000.001 > QT", "no time");
     row("12", "'>', '<' or '!'");
     row("12 = QT", "'>', '<' or '!'");
     row("12 >> QT", "'>', '<' or '!'");

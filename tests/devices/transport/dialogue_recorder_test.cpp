@@ -264,6 +264,7 @@ void DialogueRecorderTest::aFullDiskEndsTheRecordAndNotTheLink()
     QCOMPARE(readText(*link, 3), std::string("QT\n"));
     QVERIFY2(link->trouble().starts_with("dialogue.txt: the dialogue is recorded no further ("),
              link->trouble().c_str());
+    QCOMPARE(link->health().trouble, link->trouble());
 }
 
 void DialogueRecorderTest::aFileThatMayGrowNoMoreHoldsWholeLines()

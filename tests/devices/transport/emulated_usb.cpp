@@ -209,6 +209,14 @@ std::string describeInterface(const std::string& sysfs, std::size_t number, cons
     return text + "\n";
 }
 
+/// Where the kernel shows the serial port that a driver has made of the first interface.
+std::string describePort(const std::string& sysfs, const std::string& driver, const std::string& port)
+{
+    const std::string between = driver == "cdc_acm" ? "" : "/" + port;
+    return "P: " + interfaceOf(sysfs, 0) + between + "/tty/" + port + "\nN: " + port +
+           "\nE: SUBSYSTEM=tty\nE: DEVNAME=/dev/" + port + "\n\n";
+}
+
 }  // namespace
 
 EmulatedUsb::EmulatedUsb() : testbed_(std::make_unique<Testbed>())
@@ -270,6 +278,8 @@ void EmulatedUsb::plugAgain(const std::shared_ptr<EmulatedUsbDevice>& device, in
     std::string description = describe(sysfs, socket.address, model);
     for (std::size_t i = 0; model.driversInSysfs && i < model.drivers.size(); ++i)
         description += describeInterface(sysfs, i, model.drivers[i]);
+    if (!model.serialPort.empty())
+        description += describePort(sysfs, model.drivers[0], model.serialPort);
     testbed_->add(description);
 }
 
@@ -293,6 +303,11 @@ void EmulatedUsb::unplug(const std::shared_ptr<EmulatedUsbDevice>& device, Unplu
     if (order == Unplugging::TransfersFirst)
         tell();
     socket.isPlugged = false;
+    if (const std::string& port = device->model().serialPort; !port.empty()) {
+        const std::string between = device->model().drivers[0] == "cdc_acm" ? "" : "/" + port;
+        umockdev_testbed_remove_device(testbed_->testbed,
+                                       (interfaceOf(socket.sysfs, 0) + between + "/tty/" + port).c_str());
+    }
     for (std::size_t i = 0; device->model().driversInSysfs && i < device->model().drivers.size(); ++i)
         umockdev_testbed_remove_device(testbed_->testbed, interfaceOf(socket.sysfs, i).c_str());
     umockdev_testbed_remove_device(testbed_->testbed, socket.sysfs.c_str());
@@ -301,6 +316,11 @@ void EmulatedUsb::unplug(const std::shared_ptr<EmulatedUsbDevice>& device, Unplu
 void EmulatedUsb::announceAgain(const std::shared_ptr<EmulatedUsbDevice>& device)
 {
     umockdev_testbed_uevent(testbed_->testbed, testbed_->find(device).sysfs.c_str(), "add");
+}
+
+std::string EmulatedUsb::fileOf(const std::string& serialPort) const
+{
+    return testbed_->inside("/dev/" + serialPort);
 }
 
 int EmulatedUsb::address(const std::shared_ptr<EmulatedUsbDevice>& device) const

@@ -36,6 +36,9 @@ public:
     /// Tells of a device again that is there already.
     void announceAgain(const std::shared_ptr<EmulatedUsbDevice>& device);
 
+    /// The file that stands for a serial port of UsbModel::serialPort, for programs that know nothing of the testbed.
+    std::string fileOf(const std::string& serialPort) const;
+
     /// Its address now.
     int address(const std::shared_ptr<EmulatedUsbDevice>& device) const;
 

@@ -112,6 +112,12 @@ void EmulatedUsbDevice::leaveSettingsUnanswered()
     answersSettings_ = false;
 }
 
+void EmulatedUsbDevice::loseDrivers()
+{
+    const std::scoped_lock lock(mutex_);
+    drivers_.assign(drivers_.size(), "");
+}
+
 void EmulatedUsbDevice::keep(int interface)
 {
     const std::scoped_lock lock(mutex_);

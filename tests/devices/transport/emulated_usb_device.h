@@ -64,6 +64,8 @@ public:
 
     /// The kernel's driver does not give up an interface from now on.
     void keep(int interface);
+    /// The kernel's drivers are gone from all interfaces: what a program leaves that is killed.
+    void loseDrivers();
 
     // --- what a test can see of the host ---------------------------------------------------------------------------
 

@@ -20,7 +20,7 @@
 namespace planewright {
 
 /// Longer than anything takes on a machine that is busy: a test that waits so long has failed.
-inline constexpr std::chrono::seconds kPatience{30};
+inline constexpr std::chrono::seconds kPatience{60};
 
 /// A socket at a port of its own on this machine, which listens or does not.
 class TestListener {

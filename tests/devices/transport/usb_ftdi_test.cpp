@@ -186,6 +186,7 @@ void UsbFtdiTest::lostBytesAreCounted()
 
     QCOMPARE(readBytes(*open.link, 3), (Bytes{1, 2, 3}));
     QCOMPARE(open.link->overruns(), std::uint64_t(2));
+    QCOMPARE(open.link->health().overruns, std::uint64_t(2));
 }
 
 void UsbFtdiTest::anAnswerComesBackThroughBothDirections()

@@ -23,6 +23,7 @@ struct UsbModel {
     std::uint8_t in = 0x81;
     std::uint8_t out = 0x02;
     std::vector<std::string> drivers;  ///< kernel driver of each interface; empty: none
+    std::string serialPort;            ///< that the kernel's driver has made of the first interface: "ttyACM0"
     bool driversInSysfs = true;        ///< the kernel shows them; takes half of the time of plugging in
     bool mayOpen = true;               ///< false: the node has mode 000
 };

@@ -2,11 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
+#include <csignal>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <QProcess>
 #include <QtTest>
 
+#include "devices/transport/port_holder.h"
 #include "devices/transport/usb_cdc.h"
 #include "devices/transport/usb_error.h"
+#include "devices/transport/usb_ftdi.h"
 #include "tests/devices/transport/far_end.h"
 #include "tests/devices/transport/usb_rig.h"
 
@@ -22,6 +31,10 @@ private slots:
     void whoHasNoRightIsToldTheRuleAndHowToInstallIt();
     void anotherProgramIsNamedAsTheHolder();
     void aKernelDriverThatDoesNotLetGoIsNamed();
+    void aProgramThatHasItsSerialPortOpenKeepsIt_data();
+    void aProgramThatHasItsSerialPortOpenKeepsIt();
+    void aSerialPortThatSomebodyUnseenHasLockedIsLeft();
+    void afterAKilledProgramItIsOpenedAndGivenBackToTheKernel();
     void oneThatIsOpenHereIsNotOpenedAgain();
     void oneThatHasGoneIsNotOpened();
     void twoLasersThatAreAlikeAreToldApartByWhatTheyAnswer();
@@ -65,6 +78,30 @@ private:
     std::string serial_;
     std::string line_;
     std::vector<EmulatedOutput> answers_;
+};
+
+/// A program that has locked a file, and of which nobody may see what it has open, as if another user ran it.
+class HiddenProgram {
+public:
+    explicit HiddenProgram(const std::string& path) : process_(fork())
+    {
+        if (process_ != 0)
+            return;
+        prctl(PR_SET_DUMPABLE, 0);
+        flock(::open(path.c_str(), O_RDONLY), LOCK_EX);
+        for (;;)
+            pause();
+    }
+    ~HiddenProgram()
+    {
+        ::kill(process_, SIGKILL);
+        waitpid(process_, nullptr, 0);
+    }
+    HiddenProgram(const HiddenProgram&) = delete;
+    HiddenProgram& operator=(const HiddenProgram&) = delete;
+
+private:
+    pid_t process_;
 };
 
 std::string textOf(const Bytes& bytes)
@@ -125,6 +162,91 @@ void UsbOpenTest::aKernelDriverThatDoesNotLetGoIsNamed()
     QVERIFY2(link.error().message.find("the kernel driver cdc_acm does not give it up") != std::string::npos,
              link.error().message.c_str());
     QCOMPARE(laser->released(), std::vector<int>{0});  // what it had got already
+}
+
+void UsbOpenTest::aProgramThatHasItsSerialPortOpenKeepsIt_data()
+{
+    QTest::addColumn<bool>("isModem");
+    QTest::newRow("laser") << true;
+    QTest::newRow("servo adapter") << false;
+}
+
+void UsbOpenTest::aProgramThatHasItsSerialPortOpenKeepsIt()
+{
+    QFETCH(bool, isModem);
+    UsbRig rig;
+    UsbModel model = isModem ? cdcModel() : ft232rModel();
+    model.serialPort = isModem ? "ttyACM7" : "ttyUSB7";
+    const std::string driver = model.drivers.at(0);
+    const auto plugged = rig.usb.plug(model, 1);
+    QProcess other;
+    other.setStandardInputFile(QString::fromStdString(rig.usb.fileOf(model.serialPort)));
+    other.start("sleep", {"600"});
+    QVERIFY(other.waitForStarted());
+    const auto open = [&](const UsbDevice& device) -> std::optional<Error> {
+        if (isModem) {
+            const auto link = openUsbCdc(rig.bus, device, steadyClock());
+            return link ? std::nullopt : std::optional{link.error()};
+        }
+        const auto link = UsbFtdi::open(rig.bus, device, 57'142, steadyClock());
+        return link ? std::nullopt : std::optional{link.error()};
+    };
+    QVERIFY(comesTrue([&] { return !rig.bus->devices().empty() && !rig.bus->devices()[0].holder.empty(); }));
+    const UsbDevice device = rig.bus->devices().at(0);
+    const std::string holder = "the program sleep (process " + std::to_string(other.processId()) + ")";
+    QCOMPARE(device.holder, holder);
+    QCOMPARE(device.access, UsbAccess::Busy);
+    QCOMPARE(device.serialPort, "/dev/" + model.serialPort);
+
+    const auto refused = open(device);
+
+    QVERIFY(refused);
+    QCOMPARE(refused->code, ErrorCode::NoDevice);
+    QVERIFY2(refused->message.find(holder + " has its serial port /dev/" + model.serialPort + " open (kernel driver " +
+                                   driver + "); close that program") != std::string::npos,
+             refused->message.c_str());
+    QCOMPARE(plugged->driver(0), driver);  // nothing was taken from it
+    QVERIFY(!plugged->isClaimed(0));
+    other.kill();
+    QVERIFY(other.waitForFinished());
+    const auto opened = open(device);
+    QVERIFY2(!opened, opened ? opened->message.c_str() : "");
+}
+
+void UsbOpenTest::aSerialPortThatSomebodyUnseenHasLockedIsLeft()
+{
+    UsbRig rig;
+    UsbModel model = cdcModel();
+    model.serialPort = "ttyACM8";
+    const auto laser = rig.usb.plug(model, 1);
+    const UsbDevice device = rig.devices(1).at(0);
+    const HiddenProgram other{rig.usb.fileOf("ttyACM8")};
+    QVERIFY(comesTrue([&] { return holderOrLockOf("/dev/ttyACM8").has_value(); }));
+    QVERIFY(!holderOf("/dev/ttyACM8"));
+
+    const auto link = openUsbCdc(rig.bus, device, steadyClock());
+
+    QVERIFY(!link);
+    QVERIFY2(link.error().message.find("another program has its serial port /dev/ttyACM8 open") != std::string::npos,
+             link.error().message.c_str());
+    QVERIFY(!laser->isClaimed(0));
+}
+
+void UsbOpenTest::afterAKilledProgramItIsOpenedAndGivenBackToTheKernel()
+{
+    UsbRig rig;
+    const auto laser = rig.usb.plug(cdcModel(), 1);
+    laser->loseDrivers();
+    const auto device = rig.devices(1).at(0);
+    QCOMPARE(device.access, UsbAccess::Openable);
+
+    auto link = openUsbCdc(rig.bus, device, steadyClock());
+
+    QVERIFY(link);
+    laser->send(Bytes{1, 2});
+    QCOMPARE(readBytes(**link, 2), (Bytes{1, 2}));
+    link->reset();
+    QVERIFY(comesTrue([&] { return laser->driver(0) == "cdc_acm" && laser->driver(1) == "cdc_acm"; }));
 }
 
 void UsbOpenTest::oneThatIsOpenHereIsNotOpenedAgain()

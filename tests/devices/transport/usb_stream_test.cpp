@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "devices/transport/usb_cdc.h"
+#include "devices/transport/usb_ftdi.h"
 #include "tests/devices/transport/usb_rig.h"
 
 namespace planewright {
@@ -19,6 +20,7 @@ class UsbStreamTest : public QObject {
 
 private slots:
     void everyByteOfFortyFramesASecondComes();
+    void anAdapterThatSaysNothingCostsLittle();
 };
 
 namespace {
@@ -39,18 +41,39 @@ std::chrono::nanoseconds processorTime()
     return of(usage.ru_utime) + of(usage.ru_stime);
 }
 
-/// Sends frame after frame at the times of a laser.
-void sendFrames(EmulatedUsbDevice& laser, std::uint32_t frames)
+/// What a stream of scans may cost with its emulated device [%]. A machine under test is granted ten times as much.
+constexpr double kMostShare = 3.0;
+constexpr double kMargin = 10.0;
+/// Requests to the kernel that a packet may cost: one that fetches it, one that waits for the next, and one that finds
+/// nothing more. Emulated ones cost far more time than true ones, so that the share of the processor tells little.
+constexpr double kMostRequests = 6.0;
+
+double shareOfAProcessor(std::chrono::nanoseconds usedBefore, std::chrono::nanoseconds since)
+{
+    return 100.0 * std::chrono::duration<double>(processorTime() - usedBefore) /
+           std::chrono::duration<double>(steadyClock().now() - since);
+}
+
+/// Does something at equal times; what comes late is made up for.
+template <class What>
+void every(std::chrono::nanoseconds period, int times, What what)
 {
     std::mutex mutex;
     std::condition_variable_any never;
     std::unique_lock lock(mutex);
     auto due = steadyClock().now();
-    for (std::uint32_t i = 0; i < frames; ++i, due += kPeriod) {
+    for (int i = 0; i < times; ++i, due += period) {
         while (steadyClock().now() < due)
             steadyClock().wait(lock, never, {}, due);
-        laser.send(pattern(kFrame, i));
+        what(i);
     }
+}
+
+/// Sends frame after frame at the times of a laser.
+void sendFrames(EmulatedUsbDevice& laser, std::uint32_t frames)
+{
+    every(kPeriod, static_cast<int>(frames),
+          [&](int i) { laser.send(pattern(kFrame, static_cast<std::uint32_t>(i))); });
 }
 
 }  // namespace
@@ -71,10 +94,38 @@ void UsbStreamTest::everyByteOfFortyFramesASecondComes()
         QVERIFY2(readBytes(**link, kFrame) == pattern(kFrame, i), qPrintable(QString("frame %1").arg(i)));
     sender.join();
 
-    const auto share = 100.0 * std::chrono::duration<double>(processorTime() - used) /
-                       std::chrono::duration<double>(steadyClock().now() - began);
+    const double share = shareOfAProcessor(used, began);
     qInfo("%u frames, every byte as it was sent; %.1f %% of a processor with the emulated laser, %.1f requests a frame",
           frames, share, static_cast<double>(rig.usb.requests() - requests) / frames);
+    QVERIFY2(share < kMargin * kMostShare, qPrintable(QString::number(share)));
+}
+
+/// A converter of FTDI sends two bytes of its state every millisecond, though nothing is on the line.
+void UsbStreamTest::anAdapterThatSaysNothingCostsLittle()
+{
+    const int milliseconds = qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG") ? 60'000 : 2'000;
+    UsbRig rig;
+    const auto adapter = rig.usb.plug(ft232rModel(), 4);
+    const auto link = UsbFtdi::open(rig.bus, rig.devices(1).at(0), 57'142, steadyClock());
+    QVERIFY(link);
+    const auto began = steadyClock().now();
+    const auto used = processorTime();
+    const long requests = rig.usb.requests();
+
+    std::jthread sender{[&] { every(1ms, milliseconds, [&](int) { adapter->sendPacket({0x01, 0x60}); }); }};
+    std::array<std::uint8_t, 64> into{};
+    const auto arrival = (*link)->read(into, began + std::chrono::milliseconds{milliseconds}, {});
+    sender.join();
+
+    QVERIFY(arrival && arrival->count == 0);
+    QVERIFY(comesTrue([&] { return adapter->unread() == 0; }));
+    const double share = shareOfAProcessor(used, began);
+    const double each = static_cast<double>(rig.usb.requests() - requests) / milliseconds;
+    qInfo(
+        "an idle adapter: %.1f %% of a processor with the emulated one, %.1f requests for each of 1000 packets a "
+        "second",
+        share, each);
+    QVERIFY2(each <= kMostRequests, qPrintable(QString::number(each)));
 }
 
 }  // namespace planewright
