@@ -23,8 +23,8 @@ struct HealthFact {
 
 /// Where slices come from: a scanner, a simulated one, or a recording. All code above sees no more of them than this.
 ///
-/// begin() and next() are called by one thread; everything else may be called by any thread while that one waits, and
-/// returns at once (stopMotion: within one round trip to the device). A source outlives none of these calls.
+/// begin(), next() and end() are called by one thread; everything else may be called by any thread while that one
+/// waits, and returns at once (stopMotion: within one round trip to the device). A source outlives none of these calls.
 class ScanSource {
 public:
     virtual ~ScanSource() = default;
@@ -46,8 +46,12 @@ public:
     virtual Result<void> begin(const std::stop_token& stop) = 0;
 
     /// Waits for the next slice. Empty after the last one, and where a stop is asked for. After an error it may be
-    /// called again: it then tries to go on where the scan was.
+    /// called again: it then tries to go on where the scan was. Unasked only after DeviceLost or NoDevice: the links
+    /// may heal, but for NeedsOperator a person has to see to something first, and to call release().
     virtual Result<std::optional<ScanSlice>> next(const std::stop_token& stop) = 0;
+
+    /// The scan is over, whole or not: what moves comes to rest in order.
+    virtual Result<void> end() { return {}; }
 
     /// Holds the scan where it is, and lets it go on. Pausing what is paused changes nothing.
     virtual Result<void> pause() = 0;
@@ -66,9 +70,13 @@ public:
     /// How it is now, for a panel; nothing of a source that is no device. Any thread.
     virtual std::vector<HealthFact> health() const { return {}; }
 
-    /// Stops whatever moves, at once, in every state; scanning does not go on by itself afterwards. A recording has
-    /// nothing that moves.
+    /// Stops whatever moves, at once, in every state. Nothing moves then before release(): begin() and resume() give
+    /// an error (NeedsOperator). A recording has nothing that moves.
     virtual Result<void> stopMotion() { return {}; }
+
+    /// A person allows motion again, after stopMotion(), or after seeing to what a device has stopped for. A scan that
+    /// was under way stays paused. Moves nothing; never to be called unasked.
+    virtual void release() {}
 };
 
 }  // namespace planewright

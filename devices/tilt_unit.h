@@ -63,6 +63,10 @@ public:
     virtual double highest() const = 0;
     /// The largest speed that it may have [rad/s].
     virtual double fastest() const = 0;
+    /// Speeds that it has are whole multiples of this, which is the least of them [rad/s]; 0 where it has any.
+    virtual double speedStep() const { return 0.0; }
+    /// How far from where it was sent it may stand and count as there [rad].
+    virtual double tolerance() const { return 2.0 * resolution(); }
 
     /// Allows motion: nothing moves before. Takes back a hold().
     ///

@@ -64,6 +64,7 @@ Result<void> ScanSession::start()
 {
     if (Result<void> allowed = parts_->request(SessionRequest::Start); !allowed)
         return allowed;
+    parts_->opened.source->release();
     parts_->startScan();
     parts_->tellState();
     return {};
@@ -103,6 +104,8 @@ Result<void> ScanSession::retry()
 {
     if (Result<void> allowed = parts_->request(SessionRequest::Retry); !allowed)
         return allowed;
+    if (parts_->opened.source)
+        parts_->opened.source->release();
     if (parts_->pipeline != nullptr)
         parts_->pipeline->retry();
     parts_->tellState();
@@ -123,6 +126,20 @@ Result<void> ScanSession::stopMotion()
         parts_->pipeline->finish();
     parts_->tellState();
     return stopped;
+}
+
+Result<void> ScanSession::release()
+{
+    if (Result<void> allowed = parts_->request(SessionRequest::Release); !allowed)
+        return allowed;
+    parts_->opened.source->release();
+    parts_->tellState();
+    return {};
+}
+
+bool ScanSession::isMotionStopped() const
+{
+    return parts_->machine.isMotionStopped();
 }
 
 Result<void> ScanSession::setParameters(const Parameters& parameters)
@@ -172,7 +189,8 @@ Result<void> ScanSession::goToNewest()
 
 void ScanSession::close()
 {
-    [[maybe_unused]] const Result<void> stopped = stopMotion();
+    if (parts_->opened.source)
+        static_cast<void>(parts_->opened.source->stopMotion());
     parts_->opener.cancel();
     parts_->forget();
     [[maybe_unused]] const Result<void> closed = parts_->request(SessionRequest::Close);

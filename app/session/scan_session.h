@@ -50,11 +50,14 @@ public:
     Result<void> step();
     /// Ends the scan with what there is: Finishing → Review.
     Result<void> finish();
-    /// Tries again what failed.
+    /// Tries again what failed. Whoever asks for it has seen to what a device has stopped for.
     Result<void> retry();
-    /// Stops whatever moves at once, in every state, and ends the scan with what there is. Never refused; an error is
-    /// the device's.
+    /// Stops whatever moves at once, in every state, and ends the scan with what there is. Nothing moves then before
+    /// release(): start() and retry() are refused. Never refused itself; an error is the device's.
     Result<void> stopMotion();
+    /// Lets what was stopped move again, when it is asked to.
+    Result<void> release();
+    bool isMotionStopped() const;
     /// For the steps to come; they are recorded. Of a scan that is over: for the next rerun().
     Result<void> setParameters(const Parameters& parameters);
     /// Extracts the whole scan once more with parameters(); the result takes the place of the present one when it is
@@ -108,6 +111,8 @@ public:
 
 signals:
     void stateChanged(planewright::SessionState state);
+    /// Motion was stopped, or has been released.
+    void motionStoppedChanged(bool isStopped);
     /// There is a newer map, or another step is shown; at most once a frame, and before the state that ends the scan.
     void mapChanged(std::shared_ptr<const planewright::SessionMap> map);
     /// history() has grown to so many steps, or begun anew.

@@ -16,6 +16,7 @@ constexpr std::string_view kNotRunning = "No scan is running. Start one first.";
 constexpr std::string_view kFinishing = "The last slices are being worked in. Wait until that is done.";
 constexpr std::string_view kRerunning = "The scan is being extracted once more. Wait for that, or cancel it.";
 constexpr std::string_view kFault = "The scanner has failed. Try again, or finish with what there is.";
+constexpr std::string_view kMotionStopped = "Motion was stopped. Release it first.";
 constexpr std::string_view kReadOnly = "The file was opened read-only. Save a copy and open that.";
 
 }  // namespace
@@ -43,6 +44,8 @@ std::string_view SessionMachine::refusal(SessionRequest request) const
             return "Nothing is being opened or extracted that could be cancelled.";
 
         case Request::Start:
+            if (motionStopped_ && (is(State::Ready) || is(State::Review)))
+                return kMotionStopped;
             if (is(State::Ready) || is(State::Review) || is(State::ReadOnly))
                 return {};
             if (is(State::Empty))
@@ -79,7 +82,12 @@ std::string_view SessionMachine::refusal(SessionRequest request) const
             return is(State::Finishing) ? kFinishing : kNotRunning;
 
         case Request::Retry:
-            return is(State::Fault) ? std::string_view{} : "Nothing has failed that could be tried again.";
+            if (!is(State::Fault))
+                return "Nothing has failed that could be tried again.";
+            return motionStopped_ ? kMotionStopped : std::string_view{};
+
+        case Request::Release:
+            return motionStopped_ ? std::string_view{} : "Motion is not stopped.";
 
         case Request::SetParameters:
             if (rerunning_)
@@ -164,10 +172,14 @@ void SessionMachine::enter(SessionRequest request)
                 state_ = State::Replaying;
             break;
         case SessionRequest::StopMotion:
+            motionStopped_ = motionStopped_ || live_;
             if (is(State::Connecting))
                 state_ = before_;
             else if (is(State::Homing) || is(State::Scanning) || (is(State::Paused) && live_))
                 state_ = State::Finishing;
+            break;
+        case SessionRequest::Release:
+            motionStopped_ = false;
             break;
         case SessionRequest::Close:
             *this = {};
@@ -201,6 +213,7 @@ void SessionMachine::happen(SessionHappening happening)
             readOnly_ = happening == SessionHappening::LoadedReadOnly;
             begun_ = false;
             scans_ = false;
+            motionStopped_ = false;  // of the scanner before
             state_ = live_ ? State::Ready : State::Replaying;
             break;
         case SessionHappening::LoadingFailed:

@@ -45,13 +45,14 @@ enum class SessionRequest {
     Finish,
     Retry,
     StopMotion,
+    Release,  ///< what was stopped may move again
     SetParameters,
     SetSpeed,
     Rerun,
     GoToStep,
     Close,
 };
-inline constexpr std::size_t kSessionRequests = 14;
+inline constexpr std::size_t kSessionRequests = 15;
 
 /// What the world does to a session.
 enum class SessionHappening {
@@ -95,6 +96,9 @@ public:
     /// True where the source is a scanner.
     bool isLive() const { return live_; }
 
+    /// True from stopping a scanner's motion on, in every state, until it is released.
+    bool isMotionStopped() const { return motionStopped_; }
+
 private:
     void enter(SessionRequest request);
     SessionState resting() const;
@@ -107,6 +111,7 @@ private:
     bool begun_ = false;                         ///< the scanner has come to where the scan begins
     bool rerunning_ = false;                     ///< what is worked in are the slices that were there
     bool scans_ = false;                         ///< in Fault: a scan failed, not the opening
+    bool motionStopped_ = false;
 };
 
 }  // namespace planewright

@@ -4,6 +4,7 @@
 #include "app/session/session_parts.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <QDateTime>
@@ -16,6 +17,15 @@
 namespace planewright {
 
 namespace {
+
+/// After so many tries somebody is asked.
+constexpr AutomaticRecovery kRecovery{3, std::numeric_limits<int>::max()};
+
+/// "0.5 s".
+std::string inSeconds(std::chrono::milliseconds time)
+{
+    return QString::number(std::chrono::duration<double>(time).count()).toStdString() + " s";
+}
 
 /// What a recording was extracted with, or else the default method with the noise of the scanner.
 std::vector<ParametersFrom> defaultParameters(const std::string& scanner, std::vector<ParametersFrom> stored)
@@ -61,6 +71,8 @@ void SessionParts::happen(SessionHappening happening)
 
 void SessionParts::tellState()
 {
+    if (std::exchange(toldStopped_, machine.isMotionStopped()) != machine.isMotionStopped())
+        emit session.motionStoppedChanged(machine.isMotionStopped());
     if (std::exchange(told_, machine.state()) == machine.state())
         return;
     emit session.stateChanged(machine.state());
@@ -140,7 +152,7 @@ void SessionParts::startScan()
     }
     auto next = std::make_unique<SessionRun>([this](const ScanEvents& events) {
         auto work = std::make_unique<ScanPipeline>(
-            PipelineSetup{opened.source, recorder(), parameters, options.explain}, events, clock);
+            PipelineSetup{opened.source, recorder(), parameters, options.explain, true, kRecovery}, events, clock);
         pipeline = work.get();
         return work;
     });
@@ -188,6 +200,9 @@ void SessionParts::connectRun()
     on(&SessionRun::sourceFailed, [this](const Error& error) {
         happen(SessionHappening::SourceFailed);
         tellFault(error);
+    });
+    on(&SessionRun::sourceRecovering, [this](const Error& error, std::chrono::milliseconds wait) {
+        log(LogLevel::Warning, error.message + "; it is tried again in " + inSeconds(wait));
     });
     on(&SessionRun::recordingTroubled, [this](const Error& error) {
         tellFault(

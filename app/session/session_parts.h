@@ -71,6 +71,7 @@ private:
     bool projectTried_ = false;  ///< the file that is recorded into has been opened for edits, or cannot be
     std::string recordedPath_;   ///< of the scan that is taken; empty: it is not recorded
     SessionState told_ = SessionState::Empty;
+    bool toldStopped_ = false;
     PipelineStatus lastStatus_;  ///< of the run before
     std::chrono::nanoseconds shownAt_{0};
     QTimer frame_;

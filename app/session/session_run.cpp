@@ -26,6 +26,9 @@ ScanEvents SessionRun::events()
     events.acquisition.onBegun = [this] { post([this] { emit begun(); }); };
     events.acquisition.onFault = [this](const Error& error) { post([this, error] { emit sourceFailed(error); }); };
     events.acquisition.onEnded = [this](ScanOutcome /*outcome*/) { post([this] { emit sourceEnded(); }); };
+    events.acquisition.onRecovering = [this](const Error& error, std::chrono::milliseconds wait) {
+        post([this, error, wait] { emit sourceRecovering(error, wait); });
+    };
     events.recording.onTrouble = [this](const Error& error) { post([this, error] { emit recordingTroubled(error); }); };
     events.recording.onRecovered = [this] { post([this] { emit recordingRecovered(); }); };
     events.recording.onClosed = [this](const Result<void>& closed) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -32,6 +33,8 @@ public:
 signals:
     void begun();
     void sourceFailed(const planewright::Error& error);
+    /// It is tried again by itself.
+    void sourceRecovering(const planewright::Error& error, std::chrono::milliseconds wait);
     void sourceEnded();
     void recordingTroubled(const planewright::Error& error);
     void recordingRecovered();

@@ -22,7 +22,7 @@ namespace planewright {
 struct BoardTiltOptions {
     TiltMounting mounting;
     BoardTiming timing;
-    int positionRate = 100;                      ///< measured angles a second, 1 to 200
+    int positionRate = 200;                      ///< measured angles a second, 1 to 200
     int tolerance = 2;                           ///< counts: so near is arrived
     std::chrono::milliseconds settle{20};        ///< at rest for so long is settled
     std::chrono::milliseconds watchdog{150};     ///< without heartbeats for so long the board stops, 50 to 500
@@ -59,6 +59,8 @@ public:
     double lowest() const override { return scale_.lowest(); }
     double highest() const override { return scale_.highest(); }
     double fastest() const override { return scale_.fastest(); }
+    double speedStep() const override { return scale_.step(); }
+    double tolerance() const override { return options_.tolerance * scale_.step(); }
     Result<void> arm(const std::stop_token& stop) override;
     /// Errors (NeedsOperator): the board stays in FAULT, or its button for emergencies is still pressed.
     Result<void> recover(const std::stop_token& stop) override;

@@ -44,6 +44,8 @@ public:
     double lowest() const override { return angles_.lowestPitch(); }
     double highest() const override { return angles_.highestPitch(); }
     double fastest() const override { return angles_.fastest(); }
+    double speedStep() const override { return angles_.speedOf(1); }
+    double tolerance() const override { return settings_.tolerance * angles_.resolution(); }
 
     /// Torque on, where the servo stands. Errors (NeedsOperator): an alarm has turned it off: recover() first.
     Result<void> arm(const std::stop_token& stop) override;

@@ -3,6 +3,9 @@
 
 #include "devices/nodding/device_pair.h"
 
+#include <cmath>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 namespace planewright {
@@ -10,6 +13,37 @@ namespace planewright {
 namespace {
 
 constexpr std::chrono::milliseconds kSampleWait{100};
+/// Scans that wait for their angles: five seconds of a quick laser.
+constexpr std::size_t kMostScans = 200;
+
+bool isSame(double a, double b)
+{
+    return std::abs(a - b) < 1e-9;
+}
+
+bool isSame(const LaserLimits& a, const LaserLimits& b)
+{
+    return a.stepsPerTurn == b.stepsPerTurn && a.firstStep == b.firstStep && a.lastStep == b.lastStep &&
+           a.frontStep == b.frontStep && a.period == b.period && isSame(a.rangeMin, b.rangeMin) &&
+           isSame(a.rangeMax, b.rangeMax);
+}
+
+/// "steps 0 to 1080 of 1440, front 540, 0.023 to 60 m, 25 ms a turn".
+std::string textOf(const LaserLimits& limits)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "steps " << limits.firstStep << " to " << limits.lastStep << " of " << limits.stepsPerTurn << ", front "
+         << limits.frontStep << ", " << limits.rangeMin << " to " << limits.rangeMax << " m, "
+         << std::chrono::duration<double, std::milli>(limits.period).count() << " ms a turn";
+    return text.str();
+}
+
+tl::unexpected<Error> changed(const std::string& device, const std::string& now, const std::string& before)
+{
+    return fail(ErrorCode::NeedsOperator, device + ": " + now + " answers where the scan was begun with " + before +
+                                              "; connect that one again, or finish this scan and connect anew");
+}
 
 }  // namespace
 
@@ -28,12 +62,10 @@ Result<void> DevicePair::open(const std::stop_token& stop)
         Result<std::unique_ptr<Laser>> laser = devices_.openLaser(stop);
         if (!laser)
             return tl::unexpected{laser.error()};
-        const std::string& serial = (*laser)->identity().serial;
-        if (!serial_.empty() && serial != serial_)
-            return fail(ErrorCode::NoDevice, "laser: number " + serial +
-                                                 " answers where the scan was begun with number " + serial_ +
-                                                 "; connect that one, or finish this scan");
-        serial_ = serial;
+        if (const Result<void> same = checkSame(**laser); !same)
+            return same;
+        if (!firstLaser_)
+            firstLaser_ = LaserKind{(*laser)->identity(), (*laser)->limits()};
         const std::scoped_lock lock{mutex_};
         laser_ = std::move(*laser);
     }
@@ -41,9 +73,41 @@ Result<void> DevicePair::open(const std::stop_token& stop)
         Result<std::unique_ptr<TiltUnit>> unit = devices_.openTiltUnit(stop);
         if (!unit)
             return tl::unexpected{unit.error()};
+        if (const Result<void> same = checkSame(**unit); !same)
+            return same;
+        if (!firstUnit_)
+            firstUnit_ = UnitKind{(*unit)->identity(), (*unit)->lowest(), (*unit)->highest(), (*unit)->resolution()};
         const std::scoped_lock lock{mutex_};
         unit_ = std::move(*unit);
     }
+    return {};
+}
+
+/// Errors (NeedsOperator): slices of this one would not be like those of the first.
+Result<void> DevicePair::checkSame(const Laser& laser) const
+{
+    if (!firstLaser_)
+        return {};
+    const LaserIdentity& now = laser.identity();
+    const LaserIdentity& before = firstLaser_->identity;
+    if (now.serial != before.serial)
+        return changed("laser", "number " + now.serial, "number " + before.serial);
+    if (now.model != before.model || now.product != before.product)
+        return changed("laser", now.product + " (" + now.model + ")", before.product + " (" + before.model + ")");
+    if (!isSame(laser.limits(), firstLaser_->limits))
+        return changed("laser", "one with " + textOf(laser.limits()), textOf(firstLaser_->limits));
+    return {};
+}
+
+Result<void> DevicePair::checkSame(const TiltUnit& unit) const
+{
+    if (!firstUnit_)
+        return {};
+    if (unit.identity() != firstUnit_->identity)
+        return changed("tilt unit", unit.identity(), firstUnit_->identity);
+    if (!isSame(unit.lowest(), firstUnit_->lowest) || !isSame(unit.highest(), firstUnit_->highest) ||
+        !isSame(unit.resolution(), firstUnit_->resolution))
+        return changed("tilt unit", unit.identity() + " with other limits", "other ones");
     return {};
 }
 
@@ -53,6 +117,8 @@ Result<void> DevicePair::startLaser(const LaserBeams& beams, const std::stop_tok
         return {};
     const Result<void> started = laser_->start(beams, stop);
     isScanning_ = started.has_value();
+    laserFailed_ = !started;
+    lastScanAt_.reset();
     return started;
 }
 
@@ -64,19 +130,34 @@ void DevicePair::stopLaser()
 
 Result<void> DevicePair::hear(const std::stop_token& stop)
 {
+    laserFailed_ = false;
     const auto sample = unit_->sample(clock_.now() + kSampleWait, stop);
     if (!sample)
         return tl::unexpected{sample.error()};
     if (*sample)
         track_.add(**sample);
-    while (isScanning_) {
-        Result<std::optional<LaserScan>> scan = laser_->next(clock_.now(), stop);
+    return takeScans(clock_.now(), stop);
+}
+
+Result<void> DevicePair::hearLaser(const std::stop_token& stop)
+{
+    return takeScans(clock_.now() + kSampleWait, stop);
+}
+
+/// The first by a moment, and what else is there.
+Result<void> DevicePair::takeScans(Time deadline, const std::stop_token& stop)
+{
+    for (Time until = deadline; isScanning_; until = clock_.now()) {
+        Result<std::optional<LaserScan>> scan = laser_->next(until, stop);
         laserFailed_ = !scan;
         if (!scan)
             return tl::unexpected{scan.error()};
         if (!*scan)
             break;
+        lastScanAt_ = clock_.now();
         scans_.push_back(std::move(**scan));
+        if (scans_.size() > kMostScans)
+            scans_.pop_front();
     }
     return {};
 }
@@ -94,6 +175,7 @@ void DevicePair::forget()
 {
     track_.clear();
     scans_.clear();
+    lastScanAt_.reset();
 }
 
 void DevicePair::close()

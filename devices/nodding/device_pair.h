@@ -25,17 +25,20 @@ struct NoddingDevices {
     std::function<Result<std::unique_ptr<TiltUnit>>(const std::stop_token&)> openTiltUnit;
 };
 
-/// A laser and a tilt unit, and what both have said lately. One thread calls it; hold() and the two health functions
-/// may be called by any.
+/// A laser and a tilt unit, and what both have said lately. One thread calls it; hold() and the health functions may be
+/// called by any.
 class DevicePair {
 public:
+    using Time = std::chrono::nanoseconds;
+
     DevicePair(NoddingDevices devices, const Clock& clock);
-    /// Holds the unit and ends the laser's stream.
+    /// Stops the unit and ends the laser's stream.
     ~DevicePair();
     DevicePair(const DevicePair&) = delete;
     DevicePair& operator=(const DevicePair&) = delete;
 
-    /// Opens what is not open. Errors: those of the devices; NoDevice where another laser answers than the first time.
+    /// Opens what is not open. Errors: those of the devices; NeedsOperator where another device answers than the first
+    /// time, or one that has changed, with what is different.
     Result<void> open(const std::stop_token& stop);
     bool isOpen() const { return laser_ && unit_; }
     Laser& laser() { return *laser_; }
@@ -44,9 +47,14 @@ public:
     /// The laser streams these steps from now on, if it does not yet.
     Result<void> startLaser(const LaserBeams& beams, const std::stop_token& stop);
     void stopLaser();
+    /// When the last scan was heard; empty since startLaser() or forget().
+    std::optional<Time> lastScanAt() const { return lastScanAt_; }
 
-    /// Waits for the next angle, and takes the scans that have come meanwhile.
+    /// Waits for the next angle, and takes the scans that have come meanwhile. Of scans that nobody takes the oldest
+    /// are thrown away.
     Result<void> hear(const std::stop_token& stop);
+    /// Waits for a scan alone, for a short time: the unit need not be able to say anything. Not while it is armed.
+    Result<void> hearLaser(const std::stop_token& stop);
     const TiltTrack& track() const { return track_; }
     /// The oldest scan heard, once angles to both sides of all of its beams are there.
     std::optional<LaserScan> takeScan();
@@ -65,6 +73,21 @@ public:
     MotorState motor() const;
 
 private:
+    /// What a laser or a unit is, for a scan that goes on with it.
+    struct LaserKind {
+        LaserIdentity identity;
+        LaserLimits limits;
+    };
+    struct UnitKind {
+        std::string identity;
+        double lowest = 0.0;
+        double highest = 0.0;
+        double resolution = 0.0;
+    };
+
+    Result<void> takeScans(Time deadline, const std::stop_token& stop);
+    Result<void> checkSame(const Laser& laser) const;
+    Result<void> checkSame(const TiltUnit& unit) const;
     std::shared_ptr<Laser> sharedLaser() const;
     std::shared_ptr<TiltUnit> sharedUnit() const;
 
@@ -73,11 +96,13 @@ private:
     mutable std::mutex mutex_;  ///< of the two pointers, where other threads read them
     std::shared_ptr<Laser> laser_;
     std::shared_ptr<TiltUnit> unit_;
-    std::string serial_;  ///< of the first laser
+    std::optional<LaserKind> firstLaser_;
+    std::optional<UnitKind> firstUnit_;
     bool isScanning_ = false;
     bool laserFailed_ = false;  ///< rather than the unit
     TiltTrack track_;
     std::deque<LaserScan> scans_;
+    std::optional<Time> lastScanAt_;
 };
 
 }  // namespace planewright

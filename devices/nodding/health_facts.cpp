@@ -5,6 +5,8 @@
 
 #include <charconv>
 
+#include "core/types/angle.h"
+
 namespace planewright {
 
 namespace {
@@ -55,6 +57,8 @@ std::vector<HealthFact> factsOf(const NoddingHealth& health)
                          fixed(*health.motor.temperature, 0) + " °C"});
     const std::chrono::duration<double, std::milli> skew = health.largestSkew;
     facts.push_back({"Largest skew", fixed(skew.count(), 1) + " ms", false});
+    facts.push_back({"Tilt step", fixed(toDegrees(health.pitchStep), 3) + "°", false});
+    facts.push_back({"Slices lost", std::to_string(health.slicesLost), health.slicesLost > 0});
     return facts;
 }
 

@@ -18,6 +18,8 @@ struct NoddingHealth {
     LinkHealth tilt;
     MotorState motor;
     std::chrono::nanoseconds largestSkew{0};  ///< farthest in time of an angle from a beam that it was used for
+    double pitchStep = 0.0;                   ///< from slice to slice, as the unit really does it [rad]
+    int slicesLost = 0;                       ///< of this scan, that were passed over for good
 };
 
 /// The same in words, those that a single line shows among them: rates, what was lost, corrupt or late, load, voltage

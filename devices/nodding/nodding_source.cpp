@@ -12,19 +12,15 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-/// How often a held unit is asked where it is: its own watchdog wants to hear of somebody.
+/// How often a held unit is asked where it is.
 constexpr std::chrono::milliseconds kPauseTick{50};
 constexpr int kMostAttempts = 2;
-/// Without a slice for so long something is wrong with the links that neither driver has found.
-constexpr std::chrono::seconds kMostSilence{5};
-
-/// A motion that was refused since somebody has stopped it is no fault.
-Result<void> unlessHeld(Result<void> moved)
-{
-    if (!moved && moved.error().code == ErrorCode::Interrupted)
-        return {};
-    return moved;
-}
+/// The head does not go on while the laser sends nothing for so many turns of its mirror.
+constexpr int kMostSilentTurns = 10;
+constexpr int kMostSilences = 3;
+/// A driver that neither gives an angle or a scan nor an error for so long has not found what is wrong.
+constexpr std::chrono::seconds kFirstAngle{2};
+constexpr std::chrono::seconds kFirstScan{5};
 
 }  // namespace
 
@@ -67,58 +63,100 @@ Result<void> NoddingSource::fit()
     return {};
 }
 
+/// Nothing that a stop or a hold has ended early is an error.
 Result<void> NoddingSource::begin(const std::stop_token& stop)
 {
     {
         const std::scoped_lock lock{mutex_};
         paused_ = false;
-        motionStopped_ = false;
+        seenPauses_ = pauses_;
     }
+    if (isMotionStopped() && stop.stop_requested())
+        return {};
+    if (isMotionStopped())
+        return fail(ErrorCode::NeedsOperator, name() + ": motion was stopped; release it before a scan begins");
+    isNew_ = true;
     isReady_ = false;
     attempts_ = 0;
-    if (const Result<void> opened = devices_.open(stop); !opened)
-        return fault(opened.error());
-    TiltUnit& unit = devices_.unit();
-    taker_ = SliceTaker(plan_, fitted_, devices_.laser().limits(),
-                        {unit.identity(), unit.lowest(), unit.highest(), unit.resolution(), unit.fastest()});
-    if (const Result<void> ready = getReady(stop); !ready)
+    silences_ = 0;
+    const Result<void> ready = getReady(stop);
+    if (!ready && ready.error().code == ErrorCode::Interrupted && (stop.stop_requested() || isHeld()))
+        return {};
+    if (!ready)
         return fault(ready.error());
     return {};
 }
 
+/// The laser comes first: a unit that is armed has to be heard of at short intervals, and a laser that is slow to start
+/// leaves no time for that.
 Result<void> NoddingSource::getReady(const std::stop_token& stop)
 {
     if (const Result<void> opened = devices_.open(stop); !opened)
         return opened;
-    if (const Result<void> armed = arm(stop); !armed)
-        return armed;
+    if (std::exchange(isNew_, false)) {
+        TiltUnit& unit = devices_.unit();
+        taker_ = SliceTaker(
+            plan_, fitted_, devices_.laser().limits(),
+            {unit.identity(), unit.lowest(), unit.highest(), unit.resolution(), unit.fastest(), unit.tolerance()});
+        slicesLost_ = 0;
+    }
     if (const Result<void> started = devices_.startLaser(fitted_.steps, stop); !started)
         return started;
     devices_.forget();
     isAimed_ = false;
+    if (const Result<void> scanned = awaitScan(stop); !scanned)
+        return scanned;
+    if (const Result<void> armed = arm(stop); !armed)
+        return armed;
     if (const Result<void> travelled = travelTo(taker_.start(), stop); !travelled)
         return travelled;
-    isReady_ = !stop.stop_requested() && !isPaused();
+    isReady_ = !stop.stop_requested() && !isHeld();
+    if (isReady_)
+        static_cast<void>(takePermission());  // it was for what is over now
+    return {};
+}
+
+/// Nothing moves for a laser that sends nothing.
+Result<void> NoddingSource::awaitScan(const std::stop_token& stop)
+{
+    const Time until = clock_.now() + kFirstScan;
+    while (!devices_.lastScanAt() && !stop.stop_requested() && !isHeld()) {
+        const Result<void> heard = isArmed_ ? devices_.hear(stop) : devices_.hearLaser(stop);
+        if (!heard)
+            return heard;
+        if (clock_.now() > until)
+            return fail(ErrorCode::DeviceLost, name() + ": the laser sends no scans; look at its cable and its supply");
+    }
     return {};
 }
 
 /// A stop of motion that comes while it is armed must hold all the same: it is looked for again before anything moves.
 Result<void> NoddingSource::arm(const std::stop_token& stop)
 {
-    if (const Result<void> armed = devices_.unit().arm(stop); !armed)
+    if (isArmed_ || isHeld() || stop.stop_requested())
+        return {};
+    TiltUnit& unit = devices_.unit();
+    Result<void> armed = unit.arm(stop);
+    if (!armed && armed.error().code == ErrorCode::NeedsOperator && takePermission()) {
+        if (const Result<void> recovered = unit.recover(stop); !recovered)
+            return recovered;
+        armed = unit.arm(stop);
+    }
+    if (!armed)
         return armed;
-    return isPaused() ? devices_.hold() : Result<void>{};
+    isArmed_ = true;
+    return isHeld() ? rest() : Result<void>{};
 }
 
 Result<void> NoddingSource::travelTo(const SliceTaker::Aim& start, const std::stop_token& stop)
 {
-    if (isPaused())
+    if (isHeld() || stop.stop_requested())
         return {};
-    if (const Result<void> moved = unlessHeld(devices_.unit().moveTo(start.pitch, start.speed)); !moved)
+    if (const Result<void> moved = devices_.unit().moveTo(start.pitch, start.speed); !moved)
         return moved;
     const Time from = clock_.now();
-    std::optional<Time> until;
-    while (!stop.stop_requested() && !isPaused()) {
+    Time until = from + kFirstAngle;
+    for (bool isHeard = false; !stop.stop_requested() && !isHeld();) {
         if (const Result<void> heard = devices_.hear(stop); !heard)
             return heard;
         while (devices_.takeScan()) {
@@ -126,25 +164,32 @@ Result<void> NoddingSource::travelTo(const SliceTaker::Aim& start, const std::st
         const TiltTrack& track = devices_.track();
         if (taker_.restsSince(start.pitch, track))
             return {};
-        if (!until && !track.isEmpty()) {
+        if (!isHeard && !track.isEmpty()) {
+            isHeard = true;
             const Seconds most{3.0 * std::abs(track.last().pitch - start.pitch) / start.speed + 0.5};
             until = from + std::chrono::round<Time>(most);
         }
-        if (until && clock_.now() > *until)
-            return fail(ErrorCode::DeviceLost, devices_.unit().identity() +
-                                                   ": the head does not reach the angle at which the scan begins; look "
-                                                   "whether something blocks it, and whether its power is on");
+        if (clock_.now() <= until)
+            continue;
+        const std::string unit = devices_.unit().identity();
+        return isHeard ? fail(ErrorCode::NeedsOperator,
+                              unit +
+                                  ": the head does not reach the angle at which the scan begins; look whether "
+                                  "something blocks it, and whether its power is on")
+                       : fail(ErrorCode::DeviceLost,
+                              unit +
+                                  ": no angle that can be used has come for 2 s; look at its cable, and at what "
+                                  "else the machine is busy with");
     }
-    return devices_.hold();
+    return rest();
 }
 
 /// Sends the unit to where it has to go now.
 Result<void> NoddingSource::aim()
 {
     const SliceTaker::Aim goal = taker_.goal();
-    const Result<void> moved = devices_.unit().moveTo(goal.pitch, goal.speed);
-    if (!moved)
-        return unlessHeld(moved);
+    if (const Result<void> moved = devices_.unit().moveTo(goal.pitch, goal.speed); !moved)
+        return moved;
     taker_.aimed(clock_.now());
     isAimed_ = true;
     heardAt_ = clock_.now();
@@ -154,30 +199,43 @@ Result<void> NoddingSource::aim()
 Result<std::optional<ScanSlice>> NoddingSource::next(const std::stop_token& stop)
 {
     while (!taker_.isDone() && !stop.stop_requested()) {
-        Result<void> done;
-        // A pause that is over already has held the head all the same.
-        if (pauses() != seenPauses_) {
-            seenPauses_ = pauses();
-            isReady_ = false;
-        } else if (isPaused()) {
-            waitWhilePaused(stop);
-        } else if (!isReady_) {
-            done = getReady(stop);
-        } else if (!isAimed_) {
-            done = aim();
-        } else if (done = devices_.hear(stop); done) {
-            Result<std::optional<ScanSlice>> slice = takeSlice();
-            if (slice && *slice)
-                return slice;
-            if (!slice)
-                done = tl::unexpected{slice.error()};
-            else if (isReady_)
-                done = watchMotion();
-        }
-        if (!done)
-            return fault(done.error());
+        Result<std::optional<ScanSlice>> slice = goOn(stop);
+        if (slice && *slice)
+            return slice;
+        if (slice)
+            continue;
+        if (slice.error().code != ErrorCode::Interrupted || !(stop.stop_requested() || isHeld()))
+            return fault(slice.error());
+        isReady_ = false;  // somebody was quicker: it goes on from there
     }
+    slicesLost_ = taker_.lost();
+    isReady_ = false;
     devices_.stopLaser();  // nobody listens any more
+    return std::nullopt;
+}
+
+Result<std::optional<ScanSlice>> NoddingSource::goOn(const std::stop_token& stop)
+{
+    Result<void> done;
+    // A pause that is over already has to bring the head to rest all the same.
+    if (pauses() != seenPauses_) {
+        seenPauses_ = pauses();
+        done = rest();
+    } else if (isHeld()) {
+        done = waitWhileHeld(stop);
+    } else if (!isReady_) {
+        done = getReady(stop);
+    } else if (!isAimed_) {
+        done = aim();
+    } else if (done = devices_.hear(stop); done) {
+        Result<std::optional<ScanSlice>> slice = takeSlice();
+        if (!slice || *slice)
+            return slice;
+        if (isReady_)
+            done = watchMotion();
+    }
+    if (!done)
+        return tl::unexpected{done.error()};
     return std::nullopt;
 }
 
@@ -196,11 +254,13 @@ Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
         if (!*slice)
             continue;
         largestSkew_ = taker_.largestSkew().count();
+        slicesLost_ = taker_.lost();
         heardAt_ = clock_.now();
         attempts_ = 0;
+        silences_ = 0;
         // The head goes on while this slice is worked on.
         if (taker_.aimsForEach() && !taker_.isDone()) {
-            if (const Result<void> aimed = aim(); !aimed)
+            if (const Result<void> aimed = aim(); !aimed && aimed.error().code != ErrorCode::Interrupted)
                 return tl::unexpected{aimed.error()};
         }
         return slice;
@@ -208,48 +268,77 @@ Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
     return std::nullopt;
 }
 
-/// Errors (DeviceLost): the head does not get where it should. One at rest may have missed a command: it is told twice.
+/// Errors (NeedsOperator): the head does not get where it should, and one at rest was told twice, since it may have
+/// missed a command; DeviceLost: nothing that can be used comes.
 Result<void> NoddingSource::watchMotion()
 {
-    if (clock_.now() - heardAt_ > kMostSilence)
+    const Time now = clock_.now();
+    const Time silent = now - devices_.lastScanAt().value_or(heardAt_);
+    if (silent > kMostSilentTurns * devices_.laser().limits().period && ++silences_ <= kMostSilences)
+        return rest();
+    if (silences_ > kMostSilences || now - heardAt_ > taker_.patience())
         return fail(ErrorCode::DeviceLost,
                     name() +
-                        ": no slice that can be used has come for 5 s; look at the cables, and at "
-                        "what the devices say of themselves");
-    if (taker_.getsOn(devices_.track(), clock_.now()))
+                        ": no slice that can be used has come for a while; look at the cables, and at what the "
+                        "devices say of themselves");
+    if (taker_.getsOn(devices_.track(), now))
         return {};
     if (taker_.aimsForEach() && ++attempts_ < kMostAttempts)
         return aim();
-    return fail(ErrorCode::DeviceLost, devices_.unit().identity() +
-                                           ": the head has not moved for 0.3 s; look whether "
-                                           "something blocks it, and whether its power is on");
+    return fail(ErrorCode::NeedsOperator, devices_.unit().identity() +
+                                              ": the head has not moved for 0.3 s; look whether "
+                                              "something blocks it, and whether its power is on");
 }
 
-/// While it waits, the unit is asked where it is, and what the laser sends is passed over.
-void NoddingSource::waitWhilePaused(const std::stop_token& stop)
+/// While it waits, the devices are listened to, and opened anew where one was lost; what the laser sends is passed
+/// over. Errors: those of the devices.
+Result<void> NoddingSource::waitWhileHeld(const std::stop_token& stop)
 {
-    for (;;) {
-        bool stopsLaser = false;
-        {
-            std::unique_lock lock{mutex_};
-            if (!paused_ || stop.stop_requested())
-                return;
-            clock_.wait(lock, asked_, stop, clock_.now() + kPauseTick);
-            stopsLaser = motionStopped_;
-        }
-        if (stopsLaser)
-            devices_.stopLaser();
-        // What fails here fails again, and is told, when the scan goes on.
-        if (devices_.isOpen())
-            static_cast<void>(devices_.hear(stop));
-        devices_.forget();
+    {
+        std::unique_lock lock{mutex_};
+        clock_.wait(lock, asked_, stop, clock_.now() + kPauseTick);
     }
+    if (isMotionStopped())
+        devices_.stopLaser();
+    Result<void> done = devices_.open(stop);
+    if (done)
+        done = devices_.hear(stop);
+    devices_.forget();
+    return done;
 }
 
-bool NoddingSource::isPaused() const
+/// The head comes to rest; before anything else it has to be armed. One that was stopped in an emergency is left alone.
+Result<void> NoddingSource::rest()
+{
+    isArmed_ = false;
+    isReady_ = false;
+    return isMotionStopped() ? Result<void>{} : devices_.stop();
+}
+
+Result<void> NoddingSource::end()
+{
+    const Result<void> rested = rest();
+    devices_.stopLaser();
+    return rested;
+}
+
+bool NoddingSource::isHeld() const
 {
     const std::scoped_lock lock{mutex_};
-    return paused_;
+    return paused_ || motionStopped_;
+}
+
+bool NoddingSource::isMotionStopped() const
+{
+    const std::scoped_lock lock{mutex_};
+    return motionStopped_;
+}
+
+/// True once after release().
+bool NoddingSource::takePermission()
+{
+    const std::scoped_lock lock{mutex_};
+    return std::exchange(mayRecover_, false);
 }
 
 int NoddingSource::pauses() const
@@ -258,35 +347,36 @@ int NoddingSource::pauses() const
     return pauses_;
 }
 
-/// Holds the head. A device that is gone is opened anew when the scan goes on.
+/// The head comes to rest, and the laser falls silent. A device that is gone is opened anew when the scan goes on.
 tl::unexpected<Error> NoddingSource::fault(Error error)
 {
-    static_cast<void>(devices_.stop());
+    static_cast<void>(rest());
+    static_cast<void>(takePermission());
     if (error.code == ErrorCode::DeviceLost)
         devices_.close();
+    devices_.stopLaser();
     devices_.forget();
-    isReady_ = false;
     attempts_ = 0;
+    silences_ = 0;
     taker_.resume();
     return tl::unexpected{std::move(error)};
 }
 
 Result<void> NoddingSource::pause()
 {
-    {
-        const std::scoped_lock lock{mutex_};
-        paused_ = true;
-        ++pauses_;
-        asked_.notify_all();
-    }
-    return devices_.hold();
+    const std::scoped_lock lock{mutex_};
+    paused_ = true;
+    ++pauses_;
+    asked_.notify_all();
+    return {};
 }
 
 Result<void> NoddingSource::resume()
 {
     const std::scoped_lock lock{mutex_};
+    if (motionStopped_)
+        return fail(ErrorCode::NeedsOperator, name() + ": motion was stopped; release it before the scan goes on");
     paused_ = false;
-    motionStopped_ = false;
     asked_.notify_all();
     return {};
 }
@@ -296,13 +386,24 @@ Result<void> NoddingSource::stopMotion()
     {
         const std::scoped_lock lock{mutex_};
         motionStopped_ = true;
+        paused_ = true;
+        ++pauses_;
+        asked_.notify_all();
     }
-    return pause();
+    return devices_.hold();
+}
+
+void NoddingSource::release()
+{
+    const std::scoped_lock lock{mutex_};
+    motionStopped_ = false;
+    mayRecover_ = true;
 }
 
 NoddingHealth NoddingSource::deviceHealth() const
 {
-    return {devices_.laserHealth(), devices_.tiltHealth(), devices_.motor(), Time{largestSkew_}};
+    return {devices_.laserHealth(), devices_.tiltHealth(), devices_.motor(),
+            Time{largestSkew_},     fitted_.pitchStep,     slicesLost_};
 }
 
 std::vector<HealthFact> NoddingSource::health() const

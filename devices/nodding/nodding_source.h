@@ -22,8 +22,9 @@ namespace planewright {
 /// A laser on a tilt unit: two devices become one source of slices with measured angles (section 3.2, Fig. 2).
 ///
 /// Slices have the angle that was measured, never the one that was asked for. Nothing moves before begin(), and
-/// whatever goes wrong holds the unit: next() gives the error, and the next call of it tries to go on at the missing
-/// slice.
+/// whatever goes wrong brings the unit to rest: next() gives the error, and the next call of it tries to go on at the
+/// missing slice. What a unit has stopped for by itself, or by its button for emergencies, is cleared by the first
+/// begin() or next() after release() alone.
 class NoddingSource : public ScanSource {
 public:
     /// Opens both devices and fits the plan to them; moves nothing. Errors: those of the devices; Usage for a plan that
@@ -39,9 +40,13 @@ public:
 
     Result<void> begin(const std::stop_token& stop) override;
     Result<std::optional<ScanSlice>> next(const std::stop_token& stop) override;
+    Result<void> end() override;
+    /// The head comes to rest with the call of next() that is under way, or the next one; where that fails it gives the
+    /// error.
     Result<void> pause() override;
     Result<void> resume() override;
     Result<void> stopMotion() override;
+    void release() override;
 
     std::vector<HealthFact> health() const override;
     NoddingHealth deviceHealth() const;
@@ -54,13 +59,19 @@ private:
     Result<void> fit();
     /// From any state to one in which the next slice can be taken: devices open, laser scanning, head where it begins.
     Result<void> getReady(const std::stop_token& stop);
+    Result<void> awaitScan(const std::stop_token& stop);
     Result<void> arm(const std::stop_token& stop);
     Result<void> travelTo(const SliceTaker::Aim& start, const std::stop_token& stop);
     Result<void> aim();
+    /// One thing that has to be done before the next slice, or the slice.
+    Result<std::optional<ScanSlice>> goOn(const std::stop_token& stop);
     Result<std::optional<ScanSlice>> takeSlice();
     Result<void> watchMotion();
-    void waitWhilePaused(const std::stop_token& stop);
-    bool isPaused() const;
+    Result<void> waitWhileHeld(const std::stop_token& stop);
+    Result<void> rest();
+    bool isHeld() const;
+    bool isMotionStopped() const;
+    bool takePermission();
     int pauses() const;
     tl::unexpected<Error> fault(Error error);
 
@@ -74,16 +85,21 @@ private:
     std::condition_variable_any asked_;
     bool paused_ = false;
     int pauses_ = 0;
-    bool motionStopped_ = false;
+    bool motionStopped_ = false;  ///< until release()
+    bool mayRecover_ = false;     ///< somebody has seen to what stopped the unit
 
     // The acquisition thread's own.
     SliceTaker taker_;
+    bool isNew_ = true;     ///< taker_ is to be made
+    bool isArmed_ = false;  ///< and not told to rest since
     bool isReady_ = false;  ///< the head is where the next slice begins, and the laser scans
     bool isAimed_ = false;  ///< the unit has been told to go on from there
     int seenPauses_ = 0;
     Time heardAt_{0};   ///< the last slice, or when it began
     int attempts_ = 0;  ///< to reach the angle of the next slice
+    int silences_ = 0;  ///< of the laser since the last slice
     std::atomic<Time::rep> largestSkew_{0};
+    std::atomic<int> slicesLost_{0};
 };
 
 }  // namespace planewright

@@ -13,14 +13,18 @@ namespace planewright {
 
 namespace {
 
+/// A sweep may be off the wanted one by this share of its step.
+constexpr double kMostOff = 0.1;
+/// What small steps are told in: ten-thousandths of a degree.
+constexpr double kFine = 10'000.0;
 /// Angles are asked for with two decimals of a degree: what is beyond a limit by less is meant to be at it.
 constexpr double kSlack = degrees(0.01);
 
-std::string inDegrees(double angle)
+std::string inDegrees(double angle, double parts = 100.0)
 {
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text << std::round(toDegrees(angle) * 100.0) / 100.0 << "°";
+    text << std::round(toDegrees(angle) * parts) / parts << "°";
     return text.str();
 }
 
@@ -56,15 +60,43 @@ Result<LaserBeams> fitBeams(const ScanPlan& plan, const LaserLimits& laser)
     return beams;
 }
 
+bool isWithin(const ScanPlan& plan, double pitchStep, const TiltUnit& unit)
+{
+    const double first = plan.firstPitch;
+    const double last = first + (plan.slices - 1) * pitchStep;
+    return std::min(first, last) >= unit.lowest() - kSlack && std::max(first, last) <= unit.highest() + kSlack;
+}
+
 Result<void> checkPitches(const ScanPlan& plan, const TiltUnit& unit)
 {
     const double first = plan.pitch(0);
     const double last = plan.pitch(plan.slices - 1);
-    if (std::min(first, last) < unit.lowest() - kSlack || std::max(first, last) > unit.highest() + kSlack)
+    if (!isWithin(plan, plan.pitchStep, unit))
         return fail(ErrorCode::Usage, "the tilt unit may go from " + inDegrees(unit.lowest()) + " to " +
                                           inDegrees(unit.highest()) + "; the plan asks for " + inDegrees(first) +
                                           " to " + inDegrees(last));
     return {};
+}
+
+/// The nearest speed that the unit has, and may have; the next lower one where the slices would leave its limits.
+/// Errors (Usage): it is too coarse for the plan.
+Result<double> sweepSpeed(const ScanPlan& plan, double wanted, double sliceTime, const TiltUnit& unit)
+{
+    const double unitOfSpeed = unit.speedStep();
+    if (unitOfSpeed <= 0.0 || plan.slices == 1)
+        return wanted;
+    const double most = std::max(1.0, std::floor(unit.fastest() / unitOfSpeed + 1e-9));
+    double units = std::clamp(std::round(wanted / unitOfSpeed), 1.0, most);
+    const auto stepOf = [&](double count) { return std::copysign(count * unitOfSpeed * sliceTime, plan.pitchStep); };
+    if (units > 1.0 && !isWithin(plan, stepOf(units), unit))
+        units -= 1.0;
+    const double step = std::abs(stepOf(units));
+    if (std::abs(step / std::abs(plan.pitchStep) - 1.0) > kMostOff || !isWithin(plan, stepOf(units), unit))
+        return fail(ErrorCode::Usage,
+                    "the tilt unit has only speeds that are multiples of " + inDegrees(unitOfSpeed, kFine) +
+                        " a second, so a sweep cannot have steps of " + inDegrees(plan.pitchStep, kFine) +
+                        "; give a step of " + inDegrees(stepOf(units), kFine) + ", or step and stare");
+    return units * unitOfSpeed;
 }
 
 }  // namespace
@@ -74,8 +106,11 @@ Result<FittedPlan> fitPlan(const ScanPlan& plan, const LaserLimits& laser, const
     if (plan.slices < 1 || plan.slices > kMaxSlices)
         return fail(ErrorCode::Usage,
                     "a scan has 1 to " + std::to_string(kMaxSlices) + " slices, not " + std::to_string(plan.slices));
-    if (!std::isfinite(plan.pitchStep) || (plan.pitchStep == 0.0 && plan.slices > 1))
+    if (!std::isfinite(plan.pitchStep) ||
+        (plan.pitchStep == 0.0 && (plan.slices > 1 || plan.mode == ScanPlan::Mode::Continuous)))
         return fail(ErrorCode::Usage, "the tilt step must not be 0");
+    if (!(plan.travelSpeed > 0.0))
+        return fail(ErrorCode::Usage, "the travel speed must be above 0");
     if (const auto checked = checkBearings(plan, laser); !checked)
         return tl::unexpected{checked.error()};
     if (const auto checked = checkPitches(plan, unit); !checked)
@@ -90,13 +125,20 @@ Result<FittedPlan> fitPlan(const ScanPlan& plan, const LaserLimits& laser, const
     fitted.firstBearing = steps->firstBearing(laser);
     fitted.bearingStep = steps->bearingStep(laser);
     fitted.points = static_cast<double>(fitted.beams) * plan.slices;
+    fitted.pitchStep = plan.pitchStep;
     const std::chrono::duration<double> turn = laser.period;
     if (plan.mode == ScanPlan::Mode::Continuous) {
         // A step too wide for one turn takes several, of which one is a slice.
         const double fastest = unit.fastest();
         fitted.turnsPerSlice =
             std::max(1, static_cast<int>(std::ceil(std::abs(plan.pitchStep) / (fastest * turn.count()) - 1e-9)));
-        fitted.sweepSpeed = std::abs(plan.pitchStep) / (fitted.turnsPerSlice * turn.count());
+        const double sliceTime = fitted.turnsPerSlice * turn.count();
+        const auto speed = sweepSpeed(plan, std::abs(plan.pitchStep) / sliceTime, sliceTime, unit);
+        if (!speed)
+            return tl::unexpected{speed.error()};
+        fitted.sweepSpeed = *speed;
+        if (plan.slices > 1)
+            fitted.pitchStep = std::copysign(*speed * sliceTime, plan.pitchStep);
         fitted.time = turn * fitted.turnsPerSlice * plan.slices;
     } else {
         const double speed = std::min(plan.travelSpeed, unit.fastest());

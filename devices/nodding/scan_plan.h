@@ -39,6 +39,7 @@ struct FittedPlan {
     int beams = 0;                          ///< ranges of a slice
     double firstBearing = 0.0;              ///< θ of the first range [rad]
     double bearingStep = 0.0;               ///< from range to range [rad]
+    double pitchStep = 0.0;                 ///< from slice to slice, as the unit really does it [rad]
     int turnsPerSlice = 1;                  ///< of the mirror, in the continuous mode
     double sweepSpeed = 0.0;                ///< in the continuous mode [rad/s]; 0 in the other
     double points = 0.0;                    ///< beams times slices
@@ -47,10 +48,13 @@ struct FittedPlan {
 
 /// Fits a plan to what a laser sees and a tilt unit may do.
 ///
+/// A sweep has the nearest speed that the unit has, and its slices lie as far apart as that makes them.
+///
 /// The time is the least that the settings allow: a turn of the mirror for each slice; in StepAndStare the move between
 /// two steps at the travel speed, the rest, and a turn, rounded up to whole turns, since the mirror waits for nobody.
-/// Errors (Usage): a number of slices or a step that is no such thing, bearings or pitches out of reach (with what is
-/// in reach), clusters that no laser has or that leave fewer than two ranges, a sweep faster than the unit may.
+/// Errors (Usage): a number of slices, a step or a speed that is no such thing, bearings or pitches out of reach (with
+/// what is in reach), clusters that no laser has or that leave fewer than two ranges, a sweep faster or slower than the
+/// unit can.
 Result<FittedPlan> fitPlan(const ScanPlan& plan, const LaserLimits& laser, const TiltUnit& unit);
 
 }  // namespace planewright

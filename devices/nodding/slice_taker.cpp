@@ -17,14 +17,16 @@ using Seconds = std::chrono::duration<double>;
 constexpr std::chrono::milliseconds kStuckAfter{300};
 constexpr int kSamplesOfRest = 3;
 constexpr int kMostSuspects = 2;
-/// One or two slices of a sweep that were lost leave a gap; for more the head goes back, some times in a scan.
-constexpr int kMostLost = 3;
-constexpr int kMostReturns = 3;
 /// A sweep begins and ends this much outside of its slices, so that the head has its speed within them.
 constexpr double kLeadIn = degrees(2.0);
 constexpr Seconds kLeadInTime{0.06};
-/// Units know some speeds only; at the end of a sweep the head may be off its planned way by this share of it.
-constexpr double kSpeedError = 0.03;
+/// A motor's speed is true to some percent only: after a while the head may be off its planned way by this share of it.
+constexpr double kSpeedError = 0.05;
+/// The first turn of a sweep is the next slice's up to this share of a step before the slice after it: a head that is a
+/// little fast passes more than a step in a turn.
+constexpr double kFirstSlack = 0.2;
+/// A slice that is on its way is waited for so long, beside what the way takes.
+constexpr std::chrono::seconds kSlicePatience{1};
 /// Where limits leave no room to gain speed before the first slices, these have less of it.
 constexpr int kSlicesToGainSpeed = 3;
 
@@ -37,6 +39,7 @@ SliceTaker::SliceTaker(const ScanPlan& plan, const FittedPlan& fitted, const Las
       sliceTime_(fitted.turnsPerSlice * laser.period),
       maker_({fitted.firstBearing, fitted.bearingStep, plan.mode == ScanPlan::Mode::Continuous, head_.resolution})
 {
+    plan_.pitchStep = fitted.pitchStep;
 }
 
 double SliceTaker::within(double pitch) const
@@ -44,10 +47,21 @@ double SliceTaker::within(double pitch) const
     return std::clamp(pitch, head_.lowest, head_.highest);
 }
 
+double SliceTaker::leadIn() const
+{
+    return isSweep() ? std::max(kLeadIn, fitted_.sweepSpeed * kLeadInTime.count()) : 0.0;
+}
+
 SliceTaker::Aim SliceTaker::start() const
 {
-    const double leadIn = isSweep() ? std::max(kLeadIn, fitted_.sweepSpeed * kLeadInTime.count()) : 0.0;
-    return {within(plan_.pitch(next_) - direction() * leadIn), std::min(plan_.travelSpeed, head_.fastest)};
+    return {within(plan_.pitch(next_) - direction() * leadIn()), std::min(plan_.travelSpeed, head_.fastest)};
+}
+
+SliceTaker::Time SliceTaker::patience() const
+{
+    const double way = std::abs(plan_.pitchStep) + leadIn();
+    const Seconds most{2.0 * way / goal().speed};
+    return kSlicePatience + plan_.settle + std::chrono::round<Time>(most);
 }
 
 SliceTaker::Aim SliceTaker::goal() const
@@ -81,13 +95,15 @@ Result<std::optional<ScanSlice>> SliceTaker::take(LaserScan scan, const TiltTrac
         isSweep() ? takeSwept(std::move(scan), track) : takeResting(std::move(scan), track);
     if (!slice)
         return std::nullopt;
-    next_ = slice->step + 1;
-    slice->retaken = std::exchange(resumed_, false);
     suspects_ = slice->angleSuspect ? suspects_ + 1 : 0;
     if (suspects_ >= kMostSuspects)
-        return fail(ErrorCode::DeviceLost, head_.name +
-                                               ": the head does not move as it was told; look whether something "
-                                               "blocks it, and whether the laser is fixed to it");
+        return fail(ErrorCode::NeedsOperator, head_.name +
+                                                  ": the head does not move as it was told; look whether something "
+                                                  "blocks it, and whether the laser is fixed to it");
+    lost_ += slice->step - next_;
+    next_ = slice->step + 1;
+    returnsHere_ = 0;
+    slice->retaken = std::exchange(resumed_, false);
     return slice;
 }
 
@@ -96,9 +112,11 @@ std::optional<int> SliceTaker::stepOf(const LaserScan& scan, const TiltTrack& tr
 {
     if (!anchor_) {
         const std::optional<double> pitch = track.pitchAt(scan.first, kLargestSkew);
-        if (!pitch || direction() * (*pitch - plan_.pitch(next_)) < -0.5 * std::abs(plan_.pitchStep))
+        const double steps = pitch ? (*pitch - plan_.pitch(next_)) / plan_.pitchStep : -1.0;
+        if (steps < -0.5)
             return std::nullopt;
-        anchor_ = Anchor{scan.first, next_};
+        const int missed = std::max(0, static_cast<int>(std::floor(steps + kFirstSlack)));
+        anchor_ = Anchor{scan.first, next_ + missed};
     }
     const double slices = Seconds(scan.first - anchor_->first) / Seconds(sliceTime_);
     const double nearest = std::round(slices);
@@ -113,13 +131,15 @@ std::optional<ScanSlice> SliceTaker::takeSwept(LaserScan scan, const TiltTrack& 
     const std::optional<int> step = stepOf(scan, track);
     if (!step || *step < next_)
         return std::nullopt;
-    if (*step - next_ >= kMostLost && returns_ < kMostReturns) {
+    if (*step > next_ && mayGoBack()) {
         ++returns_;
+        ++returnsHere_;
         mustGoBack_ = true;
         return std::nullopt;
     }
     if (*step >= plan_.slices) {
-        next_ = plan_.slices;  // the last ones were lost
+        lost_ += plan_.slices - next_;
+        next_ = plan_.slices;
         return std::nullopt;
     }
     const Time duration = scan.last - scan.first;

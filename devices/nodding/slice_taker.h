@@ -28,6 +28,7 @@ public:
         double highest = 0.0;     ///< [rad]
         double resolution = 0.0;  ///< [rad]
         double fastest = 0.0;     ///< [rad/s]
+        double tolerance = 0.0;   ///< of arriving [rad]
     };
 
     /// Where to go, and how fast at most.
@@ -45,6 +46,10 @@ public:
     /// Since when the head rests near an angle [rad]; empty where it does not.
     std::optional<Time> restsSince(double pitch, const TiltTrack& track) const;
     Time largestSkew() const { return maker_.largestSkew(); }
+    /// Slices that were passed over for good: the head has gone back for them in vain, or too often already.
+    int lost() const { return lost_; }
+    /// From going to goal() on, the first slice or the next one comes within this time unless something is wrong.
+    Time patience() const;
 
     /// Where the head has to be before the next slice, and how fast it may travel there: where a sweep begins it has
     /// room to gain speed, as far as limits allow.
@@ -58,23 +63,29 @@ public:
 
     /// The slice of a turn of the mirror; empty where the turn is none of the plan's slices, its time is suspect, or no
     /// angle is near enough in time. A slice whose angle is not as the head was told is marked; after the second in a
-    /// row that is an error (DeviceLost).
+    /// row that is an error (NeedsOperator).
     Result<std::optional<ScanSlice>> take(LaserScan scan, const TiltTrack& track);
     /// The next slice is taken after a fault.
     void resume();
 
-    /// True where so many slices of a sweep were lost at once that the head has to go back for them: resume() then.
+    /// True where slices of a sweep were passed over, for which the head has to go back: resume() then. Slices come in
+    /// the order of their numbers, so it goes back before it takes the next.
     bool mustGoBack() const { return mustGoBack_; }
 
     /// False where the head stands still though it is not where it should be.
     bool getsOn(const TiltTrack& track, Time now) const;
 
 private:
+    static constexpr int kMostReturns = 20;
+    static constexpr int kMostReturnsToASlice = 2;
+
     bool isSweep() const { return plan_.mode == ScanPlan::Mode::Continuous; }
     double direction() const { return plan_.pitchStep < 0.0 ? -1.0 : 1.0; }
     double within(double pitch) const;
-    /// Farthest from a commanded angle that counts as there [rad].
-    double tolerance() const { return 2.5 * head_.resolution; }
+    double leadIn() const;
+    bool mayGoBack() const { return returns_ < kMostReturns && returnsHere_ < kMostReturnsToASlice; }
+    /// Farthest from a planned angle that counts as there [rad]: the unit is sent to its step that is nearest to it.
+    double tolerance() const { return head_.tolerance + 0.5 * head_.resolution; }
     std::optional<int> stepOf(const LaserScan& scan, const TiltTrack& track);
     std::optional<ScanSlice> takeSwept(LaserScan scan, const TiltTrack& track);
     std::optional<ScanSlice> takeResting(LaserScan scan, const TiltTrack& track);
@@ -95,7 +106,9 @@ private:
     int suspects_ = 0;              ///< in a row
     bool resumed_ = false;
     bool mustGoBack_ = false;
-    int returns_ = 0;  ///< how often it has gone back
+    int returns_ = 0;      ///< how often it has gone back
+    int returnsHere_ = 0;  ///< since the last slice
+    int lost_ = 0;
 };
 
 }  // namespace planewright

@@ -2,15 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 include(PlanewrightHeaders)
-include(PlanewrightQt)
 
 foreach(label IN ITEMS app architecture core devices threads ui)
     add_custom_target(tests_${label})
 endforeach()
 
+# What is tested is compiled as users have it; the tests themselves run once and are compiled as fast as can be.
+set(quick_to_compile "$<$<CONFIG:Release>:-O1>")
+
 planewright_headers(test_headers
     LIBRARIES Qt6::Core Eigen3::Eigen
     HEADERS <QtCore> <Eigen/Geometry> <functional> <map> <optional> <sstream> <string> <vector>)
+target_compile_options(test_headers PRIVATE ${quick_to_compile})
 
 # planewright_test(<target> SOURCES <files> LIBRARIES <targets> [THREADS] [RUN_BY <program> <arguments>]): one QtTest
 # executable, run by CTest without a display.
@@ -23,9 +26,10 @@ planewright_headers(test_headers
 function(planewright_test target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "" "SOURCES;LIBRARIES;RUN_BY")
     add_executable(${target} ${arg_SOURCES})
-    planewright_moc(${target})
+    planewright_moc_tests(${target} ${arg_SOURCES})
     target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} Qt6::Test project_options)
     target_compile_definitions(${target} PRIVATE PLANEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_compile_options(${target} PRIVATE ${quick_to_compile})
     planewright_reuse_headers(test_headers ${target})
     add_test(NAME ${target} COMMAND ${arg_RUN_BY} $<TARGET_FILE:${target}>)
     planewright_isolate_test(${target})
@@ -37,6 +41,21 @@ function(planewright_test target)
     foreach(label IN LISTS labels)
         add_dependencies(tests_${label} ${target})
     endforeach()
+endfunction()
+
+# planewright_moc_tests(<target> <sources>): x.moc for each x_test.cpp, which includes it. Automoc would start, read and
+# compile some files for each of the many programs; a class of tests needs none of what it looks for.
+function(planewright_moc_tests target)
+    foreach(source IN LISTS ARGN)
+        cmake_path(GET source STEM name)
+        if(name MATCHES "_test$")
+            add_custom_command(OUTPUT "${name}.moc"
+                               COMMAND Qt6::moc "${CMAKE_CURRENT_SOURCE_DIR}/${source}" -o "${name}.moc"
+                               DEPENDS "${source}" VERBATIM)
+            target_sources(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${name}.moc")
+        endif()
+    endforeach()
+    target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
 endfunction()
 
 # planewright_isolate_test(<test>): the environment and label of planewright_test for a test made by add_test().

@@ -3,6 +3,7 @@
 
 #include "app/session/loops/acquisition_loop.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -13,12 +14,15 @@ namespace planewright {
 namespace {
 
 constexpr std::size_t kTimesKept = 41;  // a second of a scanner that takes 40 slices in one
+constexpr std::chrono::milliseconds kFirstWait{500};
+constexpr std::chrono::milliseconds kLongestWait{2000};
+constexpr int kWaitsDoubled = 2;
 
 }  // namespace
 
 AcquisitionLoop::AcquisitionLoop(ScanSource& source, Channel<AcquiredItem>& out, const Clock& clock,
-                                 AcquisitionEvents events)
-    : source_(source), out_(out), clock_(clock), events_(std::move(events))
+                                 AcquisitionEvents events, AutomaticRecovery recovery)
+    : source_(source), out_(out), clock_(clock), events_(std::move(events)), recovery_(recovery)
 {
 }
 
@@ -26,7 +30,7 @@ void AcquisitionLoop::run()
 {
     const ScanOutcome outcome = takeSlices();
     // Where even that fails nothing is left to be done here: the device's own watchdog stops it.
-    [[maybe_unused]] const Result<void> stopped = source_.stopMotion();
+    [[maybe_unused]] const Result<void> rested = source_.end();
     out_.push(outcome);
     events_.onEnded(outcome);
 }
@@ -37,17 +41,51 @@ ScanOutcome AcquisitionLoop::takeSlices()
         const Result<bool> taken = takeSlice(begun);
         if (taken && *taken)
             continue;
-        if (taken) {
-            const bool isWhole = source_.plannedSlices().value_or(-1) == slices_;
-            return stop_.stop_requested() && !isWhole ? ScanOutcome::Partial : ScanOutcome::Complete;
-        }
+        if (taken || taken.error().code == ErrorCode::Interrupted)
+            return outcomeOfTheEnd();
         out_.push(ScanEvent{ScanEvent::Kind::Fault, {}, {}, taken.error().message});
-        forgetVerdict();
-        events_.onFault(taken.error());
-        if (waitForVerdict() == Verdict::GiveUp)
+        if (judge(taken.error()) == Verdict::GiveUp)
             return ScanOutcome::Fault;
         out_.push(ScanEvent{ScanEvent::Kind::Recovered, {}, {}, {}});
     }
+}
+
+ScanOutcome AcquisitionLoop::outcomeOfTheEnd()
+{
+    const std::optional<int> planned = source_.plannedSlices();
+    const bool isWhole = planned == slices_.load();
+    if (!source_.isLive())
+        return stop_.stop_requested() && !isWhole ? ScanOutcome::Partial : ScanOutcome::Complete;
+    if (planned && !stop_.stop_requested())
+        lost_ = std::max(lost_.load(), *planned - slices_);
+    return isWhole || (!planned && !stop_.stop_requested()) ? ScanOutcome::Complete : ScanOutcome::Partial;
+}
+
+/// What to do after a fault: tries again by itself as far as it may, or asks.
+AcquisitionLoop::Verdict AcquisitionLoop::judge(const Error& error)
+{
+    forgetVerdict();
+    if (const auto wait = waitBeforeRetry(error)) {
+        if (events_.onRecovering)
+            events_.onRecovering(error, *wait);
+        return waitForVerdict(clock_.now() + *wait).value_or(Verdict::Retry);
+    }
+    triesInARow_ = 0;
+    events_.onFault(error);
+    return waitForVerdict(std::nullopt).value_or(Verdict::GiveUp);
+}
+
+/// How long to wait before trying again unasked; empty where somebody has to be asked.
+std::optional<std::chrono::milliseconds> AcquisitionLoop::waitBeforeRetry(const Error& error)
+{
+    // While a device is away it is no longer found, either.
+    const bool isOfTheLink = error.code == ErrorCode::DeviceLost || error.code == ErrorCode::NoDevice;
+    if (!isOfTheLink || stop_.stop_requested() || triesInARow_ >= recovery_.mostInARow || tries_ >= recovery_.mostInAll)
+        return std::nullopt;
+    const auto wait = std::min(kFirstWait * (1 << std::min(triesInARow_, kWaitsDoubled)), kLongestWait);
+    ++triesInARow_;
+    ++tries_;
+    return wait;
 }
 
 /// Goes to the beginning of the scan, or takes its next slice; false where there is none.
@@ -78,18 +116,24 @@ void AcquisitionLoop::forgetVerdict()
     verdict_.reset();
 }
 
-AcquisitionLoop::Verdict AcquisitionLoop::waitForVerdict()
+/// Empty where the moment has come before anybody has said anything. After finish() nobody needs to.
+std::optional<AcquisitionLoop::Verdict> AcquisitionLoop::waitForVerdict(std::optional<std::chrono::nanoseconds> until)
 {
     std::unique_lock lock{mutex_};
-    while (!verdict_ && !stop_.stop_requested())
-        clock_.wait(lock, judged_, stop_.get_token(), std::nullopt);
-    return std::exchange(verdict_, std::nullopt).value_or(Verdict::GiveUp);
+    while (!verdict_ && !stop_.stop_requested() && (!until || clock_.now() < *until))
+        clock_.wait(lock, judged_, stop_.get_token(), until);
+    if (stop_.stop_requested())
+        verdict_ = Verdict::GiveUp;
+    return std::exchange(verdict_, std::nullopt);
 }
 
 void AcquisitionLoop::handOn(ScanSlice slice)
 {
     if (lastStep_)
         lost_ += slice.step - *lastStep_ - 1;
+    else if (source_.isLive())
+        lost_ += slice.step;
+    triesInARow_ = 0;
     lastStep_ = slice.step;
     out_.push(std::make_shared<const ScanSlice>(std::move(slice)));
     ++slices_;

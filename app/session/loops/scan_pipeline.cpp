@@ -17,7 +17,7 @@ ScanPipeline::ScanPipeline(PipelineSetup plan, ScanEvents events, const Clock& c
       acquired_(clock),
       recorded_(clock),
       bridge_(std::move(events.onNews)),
-      acquisition_(*source_, acquired_, clock, std::move(events.acquisition)),
+      acquisition_(*source_, acquired_, clock, std::move(events.acquisition), plan.recovery),
       recording_(std::move(plan.recorder), description_, source_->plannedSlices(),
                  extracts_ ? plan.parameters : std::vector<ParametersFrom>{}, acquired_, recorded_, clock,
                  std::move(events.recording)),

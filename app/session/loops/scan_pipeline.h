@@ -21,6 +21,7 @@ struct PipelineSetup {
     std::vector<ParametersFrom> parameters;   ///< one at least, as in ExtractionPlan
     bool explain = false;
     bool extracts = true;  ///< otherwise the scan is only recorded, and without parameters
+    AutomaticRecovery recovery = {};
 };
 
 /// Hears of a scan, each on one of its threads.

@@ -20,6 +20,7 @@ class ScanSessionStatesTest : public QObject {
 private slots:
     void whatIsAskedAtTheWrongTimeIsAnsweredWithAReason();
     void stopMotionEndsAScanInEveryState();
+    void aStopOfMotionStaysUntilItIsReleased();
     void aSessionEndsInEveryState();
     void aHundredScansLeaveNoThread();
     void randomVerbsLeaveNoRecordingOpen_data();
@@ -92,15 +93,18 @@ void ScanSessionStatesTest::stopMotionEndsAScanInEveryState()
     QVERIFY(session.stopMotion());
     QCOMPARE(session.state(), SessionState::Ready);
 
+    QVERIFY(session.release());
     QVERIFY(session.start());
     QVERIFY(session.stopMotion());
     QTRY_VERIFY(session.state() == SessionState::Ready || session.state() == SessionState::Review);
+    QVERIFY(session.release());
     QVERIFY(session.start());
     QTRY_COMPARE(session.status().extracted, 1);
     QVERIFY(session.stopMotion());
     QCOMPARE(session.state(), SessionState::Finishing);
     QVERIFY(session.stopMotion());
     WAIT_FOR(session, Review);
+    QVERIFY(session.release());
     QVERIFY(session.start());
     WAIT_FOR(session, Scanning);
     QVERIFY(session.pauseOrContinue());
@@ -110,6 +114,28 @@ void ScanSessionStatesTest::stopMotionEndsAScanInEveryState()
 
     for (const auto& recording : fake.recordings)
         QVERIFY(!recording->isOpen);
+}
+
+void ScanSessionStatesTest::aStopOfMotionStaysUntilItIsReleased()
+{
+    FakeSession fake;
+    ScanSession& session = *fake.session;
+    OPEN_ROOM(session, "");
+    QSignalSpy told(&session, &ScanSession::motionStoppedChanged);
+
+    QVERIFY(session.stopMotion());
+
+    QVERIFY(session.isMotionStopped());
+    QCOMPARE(told.size(), 1);
+    const auto started = session.start();
+    QVERIFY(isRefusal(started));
+    QVERIFY(QString::fromStdString(started.error().message).contains("Release"));
+    QCOMPARE(session.state(), SessionState::Ready);
+    QVERIFY(session.release());
+    QVERIFY(!session.isMotionStopped());
+    QCOMPARE(told.size(), 2);
+    QVERIFY(isRefusal(session.release()));
+    QVERIFY(session.start());
 }
 
 void ScanSessionStatesTest::aSessionEndsInEveryState()
@@ -152,8 +178,10 @@ void ScanSessionStatesTest::aHundredScansLeaveNoThread()
 
     for (int cycle = 0; cycle < 100; ++cycle) {
         QVERIFY(session.start());
-        if (cycle % 2 == 0)
+        if (cycle % 2 == 0) {
             QVERIFY(session.stopMotion());
+            QVERIFY(session.release());
+        }
         QTRY_VERIFY(session.state() == SessionState::Review || session.state() == SessionState::Ready);
     }
 
@@ -210,6 +238,8 @@ void ScanSessionStatesTest::randomVerbsLeaveNoRecordingOpen()
             case 11:
                 if (random() % 8 == 0)
                     session.close();
+                else
+                    done = session.release();
                 break;
             default:
                 fake.clock.advance((random() % 20) * 25ms);

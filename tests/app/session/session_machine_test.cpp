@@ -21,6 +21,8 @@ private slots:
     void aScannerThatCannotBeOpenedCanBeTriedAgain();
     void aFaultLeadsOnOrToReview();
     void stopMotionEndsAScan();
+    void nothingMovesAfterAStopOfMotionBeforeItIsReleased();
+    void aReplayHasNothingToRelease();
     void anEmptyScanLeadsBackToReady();
     void aRerunLeavesNothingRecording();
     void randomWalksKeepTheRules_data();
@@ -157,6 +159,46 @@ void SessionMachineTest::stopMotionEndsAScan()
     SessionMachine replaying = after(Request::Open, Happening::Loaded);
     QVERIFY(replaying.request(Request::StopMotion));
     QCOMPARE(replaying.state(), State::Replaying);
+}
+
+void SessionMachineTest::nothingMovesAfterAStopOfMotionBeforeItIsReleased()
+{
+    const auto refused = [](const SessionMachine& machine, Request request) {
+        return machine.refusal(request).find("Release it") != std::string_view::npos;
+    };
+    SessionMachine ready = after(Request::Open, Happening::Connected, Request::StopMotion);
+    QVERIFY(ready.isMotionStopped());
+    QVERIFY(refused(ready, Request::Start));
+    QVERIFY(ready.request(Request::Release));
+    QVERIFY(!ready.isMotionStopped());
+    QVERIFY(ready.request(Request::Start));
+
+    SessionMachine fault = scanning();
+    fault.happen(Happening::SourceFailed);
+    QVERIFY(fault.request(Request::StopMotion));
+    QCOMPARE(fault.state(), State::Fault);
+    QVERIFY(refused(fault, Request::Retry));
+    QVERIFY(fault.refusal(Request::Finish).empty());
+    QVERIFY(fault.request(Request::Release));
+    QCOMPARE(fault.state(), State::Fault);  // it goes on only when it is told to
+    QVERIFY(fault.request(Request::Retry));
+
+    SessionMachine over = scanning();
+    QVERIFY(over.request(Request::StopMotion));
+    over.happen(Happening::CaughtUp);
+    QCOMPARE(over.state(), State::Review);
+    QVERIFY(refused(over, Request::Start));
+    QVERIFY(over.request(Request::Open));
+    over.happen(Happening::Connected);
+    QVERIFY(!over.isMotionStopped());  // another scanner
+}
+
+void SessionMachineTest::aReplayHasNothingToRelease()
+{
+    SessionMachine machine = after(Request::Open, Happening::Loaded, Request::StopMotion);
+
+    QVERIFY(!machine.isMotionStopped());
+    QVERIFY(!machine.refusal(Request::Release).empty());
 }
 
 void SessionMachineTest::anEmptyScanLeadsBackToReady()

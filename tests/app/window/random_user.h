@@ -17,8 +17,6 @@ namespace planewright {
 /// Somebody who presses whatever there is: actions, buttons, keys, cells, the view, docks and dialogs, in an order that
 /// follows from the seed. Files are read and written in one folder only.
 class RandomUser : public QObject {
-    Q_OBJECT
-
 public:
     RandomUser(ShownWindow& shown, QString folder, unsigned seed);
 

@@ -9,6 +9,7 @@
 #include "core/simulation/random.h"
 #include "tests/devices/nodding/emulated_scanner.h"
 #include "tests/devices/nodding/faulty_link.h"
+#include "tests/devices/nodding/watched_link.h"
 
 using namespace std::chrono_literals;
 
@@ -21,6 +22,8 @@ class NoddingFaultsTest : public QObject {
 private slots:
     void everyFaultOfADeviceEndsOrHeals_data();
     void everyFaultOfADeviceEndsOrHeals();
+    void wrongAnglesAreNoticed_data();
+    void wrongAnglesAreNoticed();
     void aFaultOfTheCableHeals_data();
     void aFaultOfTheCableHeals();
 };
@@ -33,6 +36,8 @@ using Time = std::chrono::nanoseconds;
 
 /// A call that connects anew takes most of what there is for going on again.
 constexpr Time kRecovery = 3s;
+/// Whoever waits longer for a call than this asks it to stop, and is answered in that time.
+constexpr Time kPatience = 2s;
 constexpr int kSlices = 40;
 
 Scene room()
@@ -57,11 +62,56 @@ struct Outcome {
     std::vector<ScanSlice> slices;
     std::vector<std::string> errors;
     Time longest{0};              ///< call
+    Time longestToStop{0};        ///< from a stop after kPatience of a call to its end
     std::optional<Time> resumed;  ///< first slice at or behind a moment
     bool isComplete = false;
+    bool wasAsked = false;  ///< for a slice
 };
 
-Outcome scan(EmulatedScanner& emulated, NoddingSource& source, Time watchFrom)
+/// Asks a call to stop that takes longer than kPatience. All links have to be watched.
+class Impatience {
+public:
+    explicit Impatience(EmulatedScanner& emulated) : emulated_(emulated)
+    {
+        const auto watched = [this](const EmulatedScanner::Wrap& inner) {
+            return [this, inner](std::unique_ptr<Transport> link) -> std::unique_ptr<Transport> {
+                return std::make_unique<WatchedLink>(inner ? inner(std::move(link)) : std::move(link),
+                                                     [this] { look(); });
+            };
+        };
+        emulated.wrapLaser = watched(emulated.wrapLaser);
+        emulated.wrapTilt = watched(emulated.wrapTilt);
+    }
+
+    /// A call begins.
+    std::stop_token begin()
+    {
+        stop_ = {};
+        stoppedAt_.reset();
+        begunAt_ = emulated_.clock().now();
+        return stop_.get_token();
+    }
+    /// The call is over: how long that took since it was asked to stop.
+    Time sinceStop() const { return stoppedAt_ ? emulated_.clock().now() - *stoppedAt_ : Time{0}; }
+    bool hasStopped() const { return stoppedAt_.has_value(); }
+
+private:
+    void look()
+    {
+        const Time now = emulated_.clock().now();
+        if (stoppedAt_ || now < begunAt_ + kPatience)
+            return;
+        stoppedAt_ = now;
+        stop_.request_stop();
+    }
+
+    EmulatedScanner& emulated_;
+    std::stop_source stop_;
+    std::optional<Time> stoppedAt_;
+    Time begunAt_{0};
+};
+
+Outcome scan(EmulatedScanner& emulated, NoddingSource& source, Impatience& impatience, Time watchFrom)
 {
     Outcome outcome;
     bool isBegun = false;
@@ -70,28 +120,32 @@ Outcome scan(EmulatedScanner& emulated, NoddingSource& source, Time watchFrom)
     while (emulated.clock().now() < until && outcome.errors.size() < 40) {
         const Time before = emulated.clock().now();
         Result<std::optional<ScanSlice>> slice = std::nullopt;
+        const std::stop_token stop = impatience.begin();
         if (isBegun) {
-            slice = source.next({});
-        } else if (const Result<void> begun = source.begin({}); !begun) {
+            slice = source.next(stop);
+        } else if (const Result<void> begun = source.begin(stop); !begun) {
             slice = tl::unexpected{begun.error()};
         } else {
-            isBegun = true;
-            continue;
+            isBegun = !impatience.hasStopped();
         }
         const Time now = emulated.clock().now();
+        outcome.longestToStop = std::max(outcome.longestToStop, impatience.sinceStop());
         if (before >= watchFrom)
             outcome.longest = std::max(outcome.longest, now - before);
         if (!slice) {
             outcome.errors.push_back(slice.error().message);
             emulated.clock().advance(400ms);
+            if (slice.error().code == ErrorCode::NeedsOperator)
+                source.release();
         } else if (*slice) {
             outcome.slices.push_back(**slice);
             if (!outcome.resumed && now >= watchFrom)
                 outcome.resumed = now;
-        } else {
+        } else if (isBegun && !impatience.hasStopped() && outcome.wasAsked) {
             outcome.isComplete = true;
             break;
         }
+        outcome.wasAsked = isBegun;
     }
     return outcome;
 }
@@ -165,10 +219,13 @@ void NoddingFaultsTest::everyFaultOfADeviceEndsOrHeals()
     setup.startPitch = degrees(60.0);
     setup.faults = {{kind.toStdString(), 15}};
     EmulatedScanner emulated(setup);
+    Impatience impatience(emulated);
     const auto source = emulated.open(plan(mode));
     QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
 
-    const Outcome outcome = scan(emulated, **source, 0s);
+    const Outcome outcome = scan(emulated, **source, impatience, 0s);
+
+    QVERIFY2(outcome.longestToStop <= kPatience, qPrintable(QString::number(outcome.longestToStop / 1ms)));
 
     // A position that is a lie is as good as a true one where it does not jump.
     verifySlices(outcome, kind.endsWith("wrong-angle") || kind == "laser-blind");
@@ -182,6 +239,43 @@ void NoddingFaultsTest::everyFaultOfADeviceEndsOrHeals()
         emulated.clock().advance(1s);
         QVERIFY(std::abs(emulated.rig().pitchAt(emulated.clock().now()) - held) < degrees(0.5));
     }
+}
+
+void NoddingFaultsTest::wrongAnglesAreNoticed_data()
+{
+    QTest::addColumn<Tilt>("tilt");
+    QTest::newRow("servo") << Tilt::Servo;
+    QTest::newRow("board") << Tilt::Board;
+}
+
+/// For a second of a scan of some seconds all angles are 60 counts too high, which is 17.6 degrees.
+void NoddingFaultsTest::wrongAnglesAreNoticed()
+{
+    QFETCH(Tilt, tilt);
+    EmulatedRigSetup setup;
+    setup.scene = room();
+    setup.tilt = tilt;
+    setup.startPitch = degrees(60.0);
+    EmulatedScanner emulated(setup);
+    LinkFault fault;
+    fault.kind = LinkFault::Kind::WrongAngle;
+    fault.counts = 60;
+    fault.from = 2500ms;
+    fault.to = 3500ms;
+    const auto random = std::make_shared<Random>(1);
+    emulated.wrapTilt = [&](std::unique_ptr<Transport> link) -> std::unique_ptr<Transport> {
+        return std::make_unique<FaultyLink>(std::move(link), fault, random, emulated.clock());
+    };
+    Impatience impatience(emulated);
+    const auto source = emulated.open(plan(Mode::StepAndStare));
+    QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
+
+    const Outcome outcome = scan(emulated, **source, impatience, fault.to);
+
+    QVERIFY(!outcome.errors.empty());
+    QVERIFY(outcome.isComplete);
+    for (const ScanSlice& slice : outcome.slices)
+        QVERIFY(std::abs(slice.tilt - slice.tiltCommanded.value()) < degrees(1.0));
 }
 
 void NoddingFaultsTest::aFaultOfTheCableHeals_data()
@@ -202,10 +296,11 @@ void NoddingFaultsTest::aFaultOfTheCableHeals()
     setup.startPitch = degrees(60.0);
     const Mode mode = random->integer(0, 1) == 0 ? Mode::Continuous : Mode::StepAndStare;
     LinkFault fault;
-    fault.kind = static_cast<LinkFault::Kind>(random->integer(0, 4));
+    fault.kind = static_cast<LinkFault::Kind>(random->integer(0, 5));
     fault.rate = std::pow(10.0, random->uniform(-6.0, -2.0));
     fault.delay = std::chrono::milliseconds(random->integer(0, 5000));
-    const bool isOnLaser = random->integer(0, 1) == 0;
+    fault.counts = static_cast<int>(random->integer(5, 200));
+    const bool isOnLaser = random->integer(0, 1) == 0 && fault.kind != LinkFault::Kind::WrongAngle;
     EmulatedScanner emulated(setup);
     // The fault begins within the scan, which begins when both are connected.
     Time from{0};
@@ -216,12 +311,13 @@ void NoddingFaultsTest::aFaultOfTheCableHeals()
     fault.from = from;
     fault.to = from + std::chrono::milliseconds(random->integer(100, 4000));
     (isOnLaser ? emulated.wrapLaser : emulated.wrapTilt) = wrap;
+    Impatience impatience(emulated);
     const auto source = emulated.open(plan(mode));
     QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
     // What was delayed has come by then.
     const Time healed = fault.to + (fault.kind == LinkFault::Kind::Delay ? fault.delay : Time{0});
 
-    const Outcome outcome = scan(emulated, **source, healed);
+    const Outcome outcome = scan(emulated, **source, impatience, healed);
 
     const QString what = QString("kind %1, %2, %3, %4 to %5 ms, rate %6, delay %7 ms: ")
                              .arg(static_cast<int>(fault.kind))
@@ -233,12 +329,15 @@ void NoddingFaultsTest::aFaultOfTheCableHeals()
                              .arg(fault.to / 1ms)
                              .arg(fault.rate)
                              .arg(fault.delay / 1ms);
-    verifySlices(outcome, false);
+    // A position that is a lie is as good as a true one where it does not jump.
+    verifySlices(outcome, fault.kind == LinkFault::Kind::WrongAngle);
     if (QTest::currentTestFailed())
         qWarning("%s", qPrintable(what));
     QVERIFY2(outcome.isComplete,
              qPrintable(what +
                         (outcome.errors.empty() ? QString("no end") : QString::fromStdString(outcome.errors.back()))));
+    QVERIFY2(outcome.longestToStop <= kPatience,
+             qPrintable(what + QString("a stop took %1 ms").arg(outcome.longestToStop / 1ms)));
     QVERIFY2(outcome.longest <= kRecovery, qPrintable(what + QString("a call took %1 ms").arg(outcome.longest / 1ms)));
     if (outcome.resumed) {
         const Time after = *outcome.resumed - healed;

@@ -19,6 +19,9 @@ private slots:
     void joinedStepsGiveFewerRangesFartherApart();
     void steppingTakesMoveRestAndTurnInWholeTurns();
     void aWideStepTakesSeveralTurns();
+    void aSweepHasASpeedThatTheUnitHas_data();
+    void aSweepHasASpeedThatTheUnitHas();
+    void aSweepThatTheUnitCannotDoSoSlowlyIsRefused();
     void whatTheDevicesCannotDoIsSaid_data();
     void whatTheDevicesCannotDoIsSaid();
 };
@@ -84,6 +87,62 @@ void ScanPlanTest::aWideStepTakesSeveralTurns()
     QVERIFY(std::abs(fitted->time.count() - 1.5) < 1e-12);
 }
 
+namespace {
+
+/// A unit whose speeds are whole degrees a second.
+class CoarseUnit : public StillUnit {
+public:
+    double speedStep() const override { return degrees(1.0); }
+};
+
+}  // namespace
+
+void ScanPlanTest::aSweepHasASpeedThatTheUnitHas_data()
+{
+    QTest::addColumn<double>("first");
+    QTest::addColumn<double>("wanted");
+    QTest::addColumn<double>("speed");
+    QTest::newRow("rounded up") << 10.0 << 1.165 << 47.0;   // 46.6
+    QTest::newRow("rounded down") << 10.0 << 1.16 << 46.0;  // 46.4
+    QTest::newRow("downwards") << 179.0 << -1.165 << 47.0;
+    QTest::newRow("to the limit") << 15.0 << 1.165 << 46.0;  // 47 would end at 180.7, above 180
+    QTest::newRow("the fastest") << 10.0 << 1.0 << 40.0;
+}
+
+void ScanPlanTest::aSweepHasASpeedThatTheUnitHas()
+{
+    QFETCH(double, first);
+    QFETCH(double, wanted);
+    QFETCH(double, speed);
+    ScanPlan plan;
+    plan.firstPitch = degrees(first);
+    plan.pitchStep = degrees(wanted);
+    plan.slices = 142;
+
+    const auto fitted = fitPlan(plan, utm30lx(), CoarseUnit());
+
+    QVERIFY2(fitted.has_value(), fitted ? "" : fitted.error().message.c_str());
+    QVERIFY(std::abs(fitted->sweepSpeed - degrees(speed)) < 1e-9);
+    QVERIFY(std::abs(fitted->pitchStep - std::copysign(degrees(speed) * 0.025, wanted)) < 1e-9);
+}
+
+void ScanPlanTest::aSweepThatTheUnitCannotDoSoSlowlyIsRefused()
+{
+    ScanPlan plan;
+    plan.pitchStep = degrees(0.03);  // 1.2 degrees a second; 1 makes steps of 0.025
+
+    const auto refused = fitPlan(plan, utm30lx(), CoarseUnit());
+    plan.mode = ScanPlan::Mode::StepAndStare;
+    const auto stepping = fitPlan(plan, utm30lx(), CoarseUnit());
+
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::Usage);
+    QVERIFY2(QString::fromStdString(refused.error().message).contains("a step of 0.025°"),
+             refused.error().message.c_str());
+    QVERIFY(stepping.has_value());
+    QVERIFY(std::abs(stepping->pitchStep - degrees(0.03)) < 1e-12);
+}
+
 void ScanPlanTest::whatTheDevicesCannotDoIsSaid_data()
 {
     QTest::addColumn<ScanPlan>("plan");
@@ -97,6 +156,7 @@ void ScanPlanTest::whatTheDevicesCannotDoIsSaid_data()
     row("no slices", "1 to 65536", [](ScanPlan& p) { p.slices = 0; });
     row("too many slices", "1 to 65536", [](ScanPlan& p) { p.slices = 65537; });
     row("no step", "must not be 0", [](ScanPlan& p) { p.pitchStep = 0.0; });
+    row("no travel speed", "travel speed", [](ScanPlan& p) { p.travelSpeed = 0.0; });
     row("step is no number", "must not be 0", [](ScanPlan& p) { p.pitchStep = std::nan(""); });
     row("backwards", "or before it begins", [](ScanPlan& p) { p.lastBearing = p.firstBearing; });
     row("beyond the laser's right", "sees from -45° to 225°", [](ScanPlan& p) { p.firstBearing = degrees(-50.0); });

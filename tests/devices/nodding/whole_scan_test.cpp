@@ -3,10 +3,9 @@
 
 #include <QtTest>
 
-#include "core/geometry/sensor_model.h"
-#include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
 #include "tests/devices/nodding/emulated_scanner.h"
+#include "tests/devices/nodding/same_planes.h"
 
 namespace planewright {
 
@@ -25,18 +24,6 @@ using Tilt = EmulatedRigSetup::Tilt;
 using Mode = ScanPlan::Mode;
 
 constexpr int kLarge = 3000;  ///< points of a plane that is compared
-
-std::vector<Plane> planesOf(const ScanDescription& description, const std::vector<ScanSlice>& slices)
-{
-    PlaneExtractor extractor(sensorOf(description), Parameters{});
-    for (const ScanSlice& slice : slices)
-        extractor.step(slice);
-    const auto snapshot = extractor.finish();
-    std::vector<Plane> planes;
-    for (const auto& plane : snapshot->planes)
-        planes.push_back(*plane);
-    return planes;
-}
 
 }  // namespace
 
@@ -73,19 +60,7 @@ void WholeScanTest::itsPlanesAreThoseOfTheSimulator()
     const std::vector<Plane> planes = planesOf((*source)->description(), slices);
     const std::vector<Plane> expected = planesOf(simulated.recording.description, simulated.recording.slices);
 
-    int large = 0;
-    for (const Plane& wanted : expected) {
-        if (wanted.points < kLarge)
-            continue;
-        ++large;
-        // A count of the servo is 0.29 degrees, 5 mrad; half of it at most, for every slice another.
-        const bool isThere = std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-            return plane.normal.dot(wanted.normal) > std::cos(degrees(0.15)) &&
-                   std::abs(plane.distance - wanted.distance) < 0.01;
-        });
-        QVERIFY2(isThere, qPrintable(QString("plane %1 at %2 m").arg(wanted.id).arg(wanted.distance)));
-    }
-    QVERIFY(large >= 4);
+    verifySamePlanes(planes, expected, kLarge, 4);
 }
 
 }  // namespace planewright

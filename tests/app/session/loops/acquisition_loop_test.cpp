@@ -8,6 +8,8 @@
 #include "tests/app/session/loops/fakes.h"
 #include "tests/devices/fake_clock.h"
 
+using namespace std::chrono_literals;
+
 namespace planewright {
 
 class AcquisitionLoopTest : public QObject {
@@ -23,26 +25,52 @@ private slots:
     void finishingEndsAFault();
     void anExceptionOfTheSourceIsAFault();
     void countsStepsThatWerePassedOver();
-    void whateverMovesIsStoppedAtTheEnd();
+    void aLinkThatFailedIsTriedAgainThreeTimesAndThenSomebodyIsAsked();
+    void aSliceBeginsTheCountOfTriesAnew();
+    void allTriesOfAScanAreBounded();
+    void whatNeedsAPersonIsNeverTriedAgainByItself_data();
+    void whatNeedsAPersonIsNeverTriedAgainByItself();
+    void aStopWhileItIsTriedAgainIsAnsweredAtOnce();
+    void anInterruptedSourceIsNoFault();
+    void aScannerThatLeftSlicesOutGivesAPartialScan();
+    void whateverMovesComesToRestAtTheEnd();
 };
 
 namespace {
 
 /// A loop with what it hands on and tells.
 struct Acquisition {
-    explicit Acquisition(Recording recording) : source(std::move(recording)) {}
+    explicit Acquisition(Recording recording, AutomaticRecovery automatic = {},
+                         FakeClock::Kind kind = FakeClock::Kind::Stands)
+        : clock(kind), source(std::move(recording)), recovery(automatic)
+    {
+    }
 
-    FakeClock clock{FakeClock::Kind::Stands};
+    FakeClock clock;
     ScriptedSource source;
     Channel<AcquiredItem> out{clock};
     std::atomic<int> begun{0};
     std::atomic<int> faults{0};
     std::atomic<int> ended{0};
+    AutomaticRecovery recovery;
+    std::vector<std::chrono::milliseconds> waits;
+    std::atomic<int> recoveries{0};
+    std::function<void()> onFault;
     AcquisitionLoop loop{source,
                          out,
                          clock,
-                         {[this] { ++begun; }, [this](const Error& /*error*/) { ++faults; },
-                          [this](ScanOutcome /*outcome*/) { ++ended; }}};
+                         {[this] { ++begun; },
+                          [this](const Error& /*error*/) {
+                              ++faults;
+                              if (onFault)
+                                  onFault();
+                          },
+                          [this](ScanOutcome /*outcome*/) { ++ended; },
+                          [this](const Error& /*error*/, std::chrono::milliseconds wait) {
+                              waits.push_back(wait);
+                              ++recoveries;
+                          }},
+                         recovery};
 
     std::vector<AcquiredItem> items()
     {
@@ -59,6 +87,11 @@ Result<void> failOnce(int call)
     if (call == 1)
         return fail(ErrorCode::Internal, "The scanner is silent.");
     return {};
+}
+
+Result<void> lost()
+{
+    return fail(ErrorCode::DeviceLost, "The cable is pulled out.");
 }
 
 }  // namespace
@@ -188,13 +221,125 @@ void AcquisitionLoopTest::countsStepsThatWerePassedOver()
     QCOMPARE(acquisition.loop.slices(), 2);
 }
 
-void AcquisitionLoopTest::whateverMovesIsStoppedAtTheEnd()
+void AcquisitionLoopTest::aLinkThatFailedIsTriedAgainThreeTimesAndThenSomebodyIsAsked()
+{
+    Acquisition acquisition{emptySlices(3), {3, 1000}, FakeClock::Kind::Jumps};
+    acquisition.source.onNext = [](int call) { return call >= 1 ? lost() : Result<void>{}; };
+    acquisition.onFault = [&] { acquisition.loop.giveUp(); };
+
+    acquisition.loop.run();
+
+    const std::vector<std::chrono::milliseconds> waits{500ms, 1000ms, 2000ms};
+    QCOMPARE(acquisition.waits, waits);
+    QCOMPARE(acquisition.clock.now(), std::chrono::nanoseconds(3500ms));
+    QCOMPARE(acquisition.faults.load(), 1);
+    QCOMPARE(acquisition.source.releases.load(), 0);
+    QCOMPARE(std::get<ScanOutcome>(acquisition.items().back()), ScanOutcome::Fault);
+}
+
+void AcquisitionLoopTest::aSliceBeginsTheCountOfTriesAnew()
+{
+    Acquisition acquisition{emptySlices(10), {1, 1000}, FakeClock::Kind::Jumps};
+    acquisition.source.onNext = [](int call) { return call % 2 == 1 ? lost() : Result<void>{}; };
+
+    acquisition.loop.run();
+
+    QCOMPARE(acquisition.faults.load(), 0);
+    QCOMPARE(acquisition.loop.slices(), 10);
+    QCOMPARE(acquisition.waits.size(), std::size_t(10));
+    QCOMPARE(acquisition.waits.back(), 500ms);
+    QCOMPARE(std::get<ScanOutcome>(acquisition.items().back()), ScanOutcome::Complete);
+}
+
+void AcquisitionLoopTest::allTriesOfAScanAreBounded()
+{
+    Acquisition acquisition{emptySlices(10), {4, 4}, FakeClock::Kind::Jumps};
+    acquisition.source.onNext = [](int call) { return call % 2 == 1 ? lost() : Result<void>{}; };
+    acquisition.onFault = [&] { acquisition.loop.giveUp(); };
+
+    acquisition.loop.run();
+
+    QCOMPARE(acquisition.waits.size(), std::size_t(4));
+    QCOMPARE(acquisition.faults.load(), 1);
+}
+
+void AcquisitionLoopTest::whatNeedsAPersonIsNeverTriedAgainByItself_data()
+{
+    QTest::addColumn<ErrorCode>("code");
+    QTest::newRow("needs somebody") << ErrorCode::NeedsOperator;
+    QTest::newRow("our own fault") << ErrorCode::Internal;
+    QTest::newRow("a plan that cannot be") << ErrorCode::Usage;
+}
+
+void AcquisitionLoopTest::whatNeedsAPersonIsNeverTriedAgainByItself()
+{
+    QFETCH(ErrorCode, code);
+    Acquisition acquisition{emptySlices(3), {100, 100}, FakeClock::Kind::Jumps};
+    int calls = 0;
+    acquisition.source.onNext = [&](int /*call*/) -> Result<void> {
+        ++calls;
+        return fail(code, "The board was stopped in an emergency.");
+    };
+    acquisition.onFault = [&] { acquisition.loop.giveUp(); };
+
+    acquisition.loop.run();
+
+    QCOMPARE(calls, 1);
+    QCOMPARE(acquisition.recoveries.load(), 0);
+    QCOMPARE(acquisition.faults.load(), 1);
+}
+
+void AcquisitionLoopTest::aStopWhileItIsTriedAgainIsAnsweredAtOnce()
+{
+    Acquisition acquisition{emptySlices(3), {100, 100}};  // its clock stands
+    acquisition.source.onNext = [](int /*call*/) { return lost(); };
+    std::jthread running{[&] { acquisition.loop.run(); }};
+    QTRY_COMPARE(acquisition.recoveries.load(), 1);
+
+    acquisition.loop.finish();
+    running.join();
+
+    QCOMPARE(acquisition.recoveries.load(), 1);
+    QCOMPARE(acquisition.faults.load(), 0);
+    QCOMPARE(acquisition.source.ends.load(), 1);
+}
+
+void AcquisitionLoopTest::anInterruptedSourceIsNoFault()
+{
+    Acquisition acquisition{emptySlices(3), {100, 100}};
+    acquisition.source.onBegin = [&](int /*call*/) -> Result<void> {
+        acquisition.loop.finish();
+        return fail(ErrorCode::Interrupted, "was stopped");
+    };
+
+    acquisition.loop.run();
+
+    const auto items = acquisition.items();
+    QCOMPARE(items.size(), std::size_t(1));
+    QCOMPARE(std::get<ScanOutcome>(items[0]), ScanOutcome::Partial);
+    QCOMPARE(acquisition.faults.load() + acquisition.recoveries.load(), 0);
+    QCOMPARE(acquisition.source.begins.load(), 1);
+}
+
+void AcquisitionLoopTest::aScannerThatLeftSlicesOutGivesAPartialScan()
+{
+    Acquisition acquisition{emptySlices(6)};
+    acquisition.source.planned = 9;
+    acquisition.source.firstStep = 1;  // 1 to 6: the first and the last two are missing
+
+    acquisition.loop.run();
+
+    QCOMPARE(std::get<ScanOutcome>(acquisition.items().back()), ScanOutcome::Partial);
+    QCOMPARE(acquisition.loop.lost(), 3);
+}
+
+void AcquisitionLoopTest::whateverMovesComesToRestAtTheEnd()
 {
     Acquisition acquisition{emptySlices(1)};
 
     acquisition.loop.run();
 
-    QCOMPARE(acquisition.source.stops.load(), 1);
+    QCOMPARE(acquisition.source.ends.load(), 1);
 }
 
 }  // namespace planewright

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -35,17 +36,24 @@ class ScriptedSource : public ScanSource {
 public:
     explicit ScriptedSource(Recording recording, bool live = true) : recording_(std::move(recording)), live_(live) {}
 
-    std::function<Result<void>(int call)> onNext;  ///< before each slice; an error is what next() gives
-    bool endless = false;                          ///< after the last slice it waits for a stop
+    std::function<Result<void>(int call)> onNext;   ///< before each slice; an error is what next() gives
+    std::function<Result<void>(int call)> onBegin;  ///< with the number of the call, from 1
+    std::optional<int> planned;                     ///< where it is not the slices that there are
+    int firstStep = 0;                              ///< is added to the steps of its slices
+    bool endless = false;                           ///< after the last slice it waits for a stop
 
     const ScanDescription& description() const override { return recording_.description; }
-    std::optional<int> plannedSlices() const override { return static_cast<int>(recording_.slices.size()); }
+    std::optional<int> plannedSlices() const override
+    {
+        return planned.value_or(static_cast<int>(recording_.slices.size()));
+    }
     bool isLive() const override { return live_; }
     std::string name() const override { return "Scripted scanner"; }
     Result<void> begin(const std::stop_token& /*stop*/) override
     {
         at_ = 0;
-        return {};
+        ++begins;
+        return onBegin ? onBegin(begins) : Result<void>{};
     }
     Result<std::optional<ScanSlice>> next(const std::stop_token& stop) override
     {
@@ -55,21 +63,33 @@ public:
             if (const Result<void> done = onNext(calls_++); !done)
                 return tl::unexpected{done.error()};
         }
-        if (at_ < recording_.slices.size())
-            return recording_.slices[at_++];
+        if (at_ < recording_.slices.size()) {
+            ScanSlice slice = recording_.slices[at_++];
+            slice.step += firstStep;
+            return slice;
+        }
         while (endless && !stop.stop_requested())
             std::this_thread::sleep_for(std::chrono::milliseconds{1});
         return std::nullopt;
     }
     Result<void> pause() override { return {}; }
     Result<void> resume() override { return {}; }
+    Result<void> end() override
+    {
+        ++ends;
+        return {};
+    }
     Result<void> stopMotion() override
     {
         ++stops;
         return {};
     }
+    void release() override { ++releases; }
 
+    std::atomic<int> begins{0};
+    std::atomic<int> ends{0};
     std::atomic<int> stops{0};
+    std::atomic<int> releases{0};
 
 private:
     Recording recording_;
@@ -83,6 +103,7 @@ struct RecordedScan {
     std::mutex mutex;
     std::vector<std::string> lines;  ///< "begin", "slice 3", "parameters 0", "event pause", "close complete"
     std::atomic<bool> fails{false};
+    std::atomic<bool> isSlow{false};  ///< nothing is written while it is
     std::atomic<int> refused{0};
     std::atomic<bool> isOpen{false};
 
@@ -112,7 +133,12 @@ public:
             scan_->isOpen = true;
         return done;
     }
-    Result<void> write(const ScanSlice& slice) override { return note("slice " + std::to_string(slice.step)); }
+    Result<void> write(const ScanSlice& slice) override
+    {
+        while (scan_->isSlow)
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        return note("slice " + std::to_string(slice.step));
+    }
     Result<void> write(const ParametersFrom& from) override { return note("parameters " + std::to_string(from.step)); }
     Result<void> write(const ScanEvent& event) override { return note("event " + std::string{name(event.kind)}); }
     Result<void> close(ScanOutcome outcome) override

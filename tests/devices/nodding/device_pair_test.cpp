@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "devices/nodding/device_pair.h"
+
+#include <QtTest>
+
+#include "tests/devices/nodding/scripted_devices.h"
+
+using namespace std::chrono_literals;
+
+namespace planewright {
+
+class DevicePairTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theSameLaserIsWaitedFor();
+    void aLaserWithoutANumberIsNotTakenForAnother();
+    void scansThatNobodyTakesAreBounded();
+    void aLaserThatFailedLeavesTheUnitOpen();
+};
+
+void DevicePairTest::theSameLaserIsWaitedFor()
+{
+    DeviceScript script;
+    DevicePair pair(scriptedDevices(script), script.clock);
+    QVERIFY(pair.open({}));
+    pair.close();
+
+    script.laser.serial = "00000002";
+    const auto other = pair.open({});
+    const bool isOpenWithOther = pair.isOpen();
+    script.laser.serial = "00000001";
+    const auto same = pair.open({});
+
+    QVERIFY(!other && !isOpenWithOther);
+    QCOMPARE(other.error().code, ErrorCode::NeedsOperator);
+    QVERIFY(QString::fromStdString(other.error().message).contains("00000002"));
+    QVERIFY(same.has_value());
+    QVERIFY(pair.isOpen());
+}
+
+void DevicePairTest::aLaserWithoutANumberIsNotTakenForAnother()
+{
+    DeviceScript script;
+    script.laser.serial.clear();
+    DevicePair pair(scriptedDevices(script), script.clock);
+    QVERIFY(pair.open({}));
+    pair.close();
+
+    script.laser.serial = "00000002";
+    const auto other = pair.open({});
+
+    QVERIFY(!other);
+    QCOMPARE(other.error().code, ErrorCode::NeedsOperator);
+}
+
+/// A unit that tells no angle for a minute, beside a laser that goes on.
+void DevicePairTest::scansThatNobodyTakesAreBounded()
+{
+    DeviceScript script;
+    script.hasSamples = false;
+    DevicePair pair(scriptedDevices(script), script.clock);
+    QVERIFY(pair.open({}));
+    QVERIFY(pair.startLaser(180, 900, {}));
+    while (script.clock.now() < 60s)
+        QVERIFY(pair.hear({}));
+
+    script.hasSamples = true;
+    QVERIFY(pair.hear({}));
+    std::vector<LaserScan> scans;
+    while (auto scan = pair.takeScan())
+        scans.push_back(std::move(*scan));
+
+    QVERIFY(!scans.empty());
+    QVERIFY(scans.size() <= 200);
+    QVERIFY(scans.back().first > script.clock.now() - 100ms);  // the latest are kept
+}
+
+void DevicePairTest::aLaserThatFailedLeavesTheUnitOpen()
+{
+    DeviceScript script;
+    DevicePair pair(scriptedDevices(script), script.clock);
+    QVERIFY(pair.open({}));
+    QVERIFY(pair.startLaser(180, 900, {}));
+    script.onLaser = [] { return Result<void>{fail(ErrorCode::DeviceLost, "the cable is pulled out")}; };
+
+    QVERIFY(!pair.hear({}));
+    pair.close();
+
+    QCOMPARE(script.count("laser closed"), 1);
+    QCOMPARE(script.count("unit closed"), 0);
+}
+
+}  // namespace planewright
+
+QTEST_GUILESS_MAIN(planewright::DevicePairTest)
+#include "device_pair_test.moc"
