@@ -107,7 +107,7 @@ Result<void> UnitMotion::moveUnheld(double pitch, double speed)
         const Result<TiltSample> now = sample(clock_.now() + kMostSilence);
         if (!now)
             return tl::unexpected{now.error()};
-        if (!now->moving && std::abs(now->pitch - goal) <= 2.5 * unit_->resolution())
+        if (!now->moving && std::abs(now->pitch - goal) <= unit_->tolerance() + 0.5 * unit_->resolution())
             return {};
         if (clock_.now() >= until)
             return fail(ErrorCode::DeviceLost, unit_->identity() + ": the head does not get to " + inDegrees(goal) +
