@@ -167,9 +167,10 @@ void addDevicesCommand(CLI::App& program, Command& chosen)
                     "bring the head of this tilt unit to level, slowly, and hold it there; Ctrl-C holds it at once")
         ->type_name("ADDRESS");
     command
-        .add_option("--recover", options->recover,
-                    "release this tilt unit, which has turned itself off or was stopped in an emergency, after you have "
-                    "seen to the cause; moves nothing")
+        .add_option(
+            "--recover", options->recover,
+            "release this tilt unit, which has turned itself off or was stopped in an emergency, after you have "
+            "seen to the cause; moves nothing")
         ->type_name("ADDRESS");
     command.callback([options, &chosen] { chosen = [options] { return runDevices(*options); }; });
 }

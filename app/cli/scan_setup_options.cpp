@@ -69,12 +69,13 @@ Result<ScanPlan> planOf(const ScanSetupOptions& options, const AcquisitionSettin
 /// Errors (Usage): an option that would do nothing.
 Result<void> checkKind(const ScanSetupOptions& options, SourceAddress::Kind kind)
 {
-    const bool isOfDevices = !options.tiltUnit.empty() || !options.bearing.empty() || options.cluster > 0 || options.stepAndStare ||
-                             options.settle >= 0 || isGiven(options.travelSpeed) || isGiven(options.axisOffset) ||
-                             !options.dialogueFolder.empty();
+    const bool isOfDevices = !options.tiltUnit.empty() || !options.bearing.empty() || options.cluster > 0 ||
+                             options.stepAndStare || options.settle >= 0 || isGiven(options.travelSpeed) ||
+                             isGiven(options.axisOffset) || !options.dialogueFolder.empty();
     if (kind != SourceAddress::Kind::Laser && isOfDevices)
         return fail(ErrorCode::Usage,
-                    "--tilt-unit, --bearing, --cluster, --step-and-stare, --settle, --travel-speed, --axis-offset and --dialogues "
+                    "--tilt-unit, --bearing, --cluster, --step-and-stare, --settle, --travel-speed, --axis-offset and "
+                    "--dialogues "
                     "are for a laser; leave them out");
     if (kind == SourceAddress::Kind::Replay && (!options.tilt.empty() || options.slices > 0))
         return fail(ErrorCode::Usage, "--tilt, --slices: a replay has the slices of its recording; leave them out");

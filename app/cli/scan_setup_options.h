@@ -29,7 +29,8 @@ struct ScanSetupOptions {
     std::string dialogueFolder;
 };
 
-/// Adds --tilt-unit, --tilt, --slices, --bearing, --cluster, --step-and-stare, --settle, --travel-speed, --axis-offset and
+/// Adds --tilt-unit, --tilt, --slices, --bearing, --cluster, --step-and-stare, --settle, --travel-speed, --axis-offset
+/// and
 /// --dialogues.
 void addScanSetupOptions(CLI::App& command, ScanSetupOptions& options);
 

@@ -106,8 +106,7 @@ void DeviceControl::connectTrials()
         if (error.code == ErrorCode::NeedsOperator)
             parts_.sourcePanel->devices().setRecoverable(true);
     });
-    connect(&trials_, &DeviceTrials::passed, this,
-            [this] { parts_.sourcePanel->devices().setRecoverable(false); });
+    connect(&trials_, &DeviceTrials::passed, this, [this] { parts_.sourcePanel->devices().setRecoverable(false); });
 }
 
 /// A laser that is open can neither be asked nor tested.
