@@ -26,7 +26,8 @@ namespace {
 
 struct DevicesOptions {
     bool json = false;
-    std::string home;  ///< address of a unit to bring to level
+    std::string home;     ///< address of a unit to bring to level
+    std::string recover;  ///< address of a unit to release
 };
 
 /// Does on a thread of its own what takes its time: a signal ends it, and holds at once what moves.
@@ -110,6 +111,15 @@ Result<std::string> homeUnit(const DeviceAddress& address, const std::stop_token
            "°, and is held\n";
 }
 
+Result<std::string> recoverUnit(const DeviceAddress& address, const std::stop_token& stop)
+{
+    DeviceOpener opener(steadyClock());
+    auto unit = opener.openTiltUnit(address, stop);
+    if (!unit)
+        return tl::unexpected{unit.error()};
+    return release(**unit, stop).map([](const std::string& how) { return how + "\n"; });
+}
+
 /// What one unit is to do, of an address that an option gives.
 Result<ExitCode> withUnit(const std::string& option, const std::string& text,
                           Result<std::string> (*act)(const DeviceAddress&, const std::stop_token&))
@@ -134,10 +144,14 @@ Result<ExitCode> withUnit(const std::string& option, const std::string& text,
 
 Result<ExitCode> runDevices(const DevicesOptions& options)
 {
-    if (options.home.empty())
+    if (options.home.empty() && options.recover.empty())
         return listDevices(options.json);
     if (options.json)
         return fail(ErrorCode::Usage, "--json is for the list of devices; leave it out");
+    if (!options.home.empty() && !options.recover.empty())
+        return fail(ErrorCode::Usage, "--home, --recover: give one of them; look at the head before it moves again");
+    if (!options.recover.empty())
+        return withUnit("--recover", options.recover, recoverUnit);
     return withUnit("--home", options.home, homeUnit);
 }
 
@@ -151,6 +165,12 @@ void addDevicesCommand(CLI::App& program, Command& chosen)
     command
         .add_option("--home", options->home,
                     "bring the head of this tilt unit to level, slowly, and hold it there; Ctrl-C holds it at once")
+        ->type_name("ADDRESS");
+    command
+        .add_option(
+            "--recover", options->recover,
+            "release this tilt unit, which has turned itself off or was stopped in an emergency, after you have "
+            "seen to the cause; moves nothing")
         ->type_name("ADDRESS");
     command.callback([options, &chosen] { chosen = [options] { return runDevices(*options); }; });
 }

@@ -48,6 +48,8 @@ Result<ScanPlan> planOf(const ScanSetupOptions& options, const AcquisitionSettin
     plan.firstPitch = settings.firstTilt;
     plan.pitchStep = settings.tiltStep;
     plan.slices = settings.slices;
+    if (options.cluster > 0)
+        plan.cluster = options.cluster;
     if (options.settle >= 0)
         plan.settle = std::chrono::milliseconds{options.settle};
     if (isGiven(options.travelSpeed))
@@ -67,12 +69,13 @@ Result<ScanPlan> planOf(const ScanSetupOptions& options, const AcquisitionSettin
 /// Errors (Usage): an option that would do nothing.
 Result<void> checkKind(const ScanSetupOptions& options, SourceAddress::Kind kind)
 {
-    const bool isOfDevices = !options.tiltUnit.empty() || !options.bearing.empty() || options.stepAndStare ||
-                             options.settle >= 0 || isGiven(options.travelSpeed) || isGiven(options.axisOffset) ||
-                             !options.dialogueFolder.empty();
+    const bool isOfDevices = !options.tiltUnit.empty() || !options.bearing.empty() || options.cluster > 0 ||
+                             options.stepAndStare || options.settle >= 0 || isGiven(options.travelSpeed) ||
+                             isGiven(options.axisOffset) || !options.dialogueFolder.empty();
     if (kind != SourceAddress::Kind::Laser && isOfDevices)
         return fail(ErrorCode::Usage,
-                    "--tilt-unit, --bearing, --step-and-stare, --settle, --travel-speed, --axis-offset and --dialogues "
+                    "--tilt-unit, --bearing, --cluster, --step-and-stare, --settle, --travel-speed, --axis-offset and "
+                    "--dialogues "
                     "are for a laser; leave them out");
     if (kind == SourceAddress::Kind::Replay && (!options.tilt.empty() || options.slices > 0))
         return fail(ErrorCode::Usage, "--tilt, --slices: a replay has the slices of its recording; leave them out");
@@ -100,6 +103,8 @@ void addScanSetupOptions(CLI::App& command, ScanSetupOptions& options)
     addWholeNumber(command, "--slices", options.slices, 1, kMaxSlices, "number of slices, whatever --tilt says");
     command.add_option("--bearing", options.bearing, "scan angle of a laser in degrees (default 0:180)")
         ->type_name("A:B");
+    addWholeNumber(command, "--cluster", options.cluster, 1, LaserBeams::kMostJoinedSteps,
+                   "steps of the laser that give one range together, the least of them (default 1)");
     command.add_flag("--step-and-stare", options.stepAndStare,
                      "the head stands still for each slice; without it the head nods at constant speed");
     addWholeNumber(command, "--settle", options.settle, 0, 10'000,

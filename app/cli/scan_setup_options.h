@@ -21,6 +21,7 @@ struct ScanSetupOptions {
     std::string tilt;
     std::string bearing;
     int slices = 0;
+    int cluster = 0;
     bool stepAndStare = false;
     int settle = -1;                 ///< [ms]
     double travelSpeed = kNotGiven;  ///< [degrees/s]
@@ -28,7 +29,8 @@ struct ScanSetupOptions {
     std::string dialogueFolder;
 };
 
-/// Adds --tilt-unit, --tilt, --slices, --bearing, --step-and-stare, --settle, --travel-speed, --axis-offset and
+/// Adds --tilt-unit, --tilt, --slices, --bearing, --cluster, --step-and-stare, --settle, --travel-speed, --axis-offset
+/// and
 /// --dialogues.
 void addScanSetupOptions(CLI::App& command, ScanSetupOptions& options);
 

@@ -115,8 +115,8 @@ private:
             if (const Result<void> moved = motion_->moveTo(goal, kSpeed); !moved)
                 return tl::unexpected{moved.error()};
         }
-        if (const Result<void> held = motion_->hold(); !held)
-            return tl::unexpected{held.error()};
+        if (const Result<void> rested = motion_->rest(); !rested)
+            return tl::unexpected{rested.error()};
         return std::string{};
     }
 

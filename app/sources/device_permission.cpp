@@ -24,7 +24,9 @@ std::optional<Hindrance> hindranceOf(const UsbDevice& device)
                                  usbPermissionCommand(),
                              usbPermissionCommand()};
         case UsbAccess::Busy:
-            return Hindrance{device.name() + ": another program uses it; close that one", {}};
+            return Hindrance{device.name() + ": " + (device.holder.empty() ? "another program" : device.holder) +
+                                 " uses it; close that one",
+                             {}};
     }
     return std::nullopt;
 }

@@ -18,6 +18,7 @@ public:
     double lowest() const override { return scanner_.lowest; }
     double highest() const override { return scanner_.highest; }
     double fastest() const override { return scanner_.fastest; }
+    double speedStep() const override { return scanner_.speedStep; }
     Result<void> arm(const std::stop_token& /*stop*/) override { return gone(); }
     Result<void> moveTo(double /*pitch*/, double /*speed*/) override { return gone(); }
     double nearestPitch(double pitch) const override { return pitch; }
@@ -44,6 +45,7 @@ void note(const TiltUnit& unit, KnownScanner& scanner)
     scanner.highest = unit.highest();
     scanner.fastest = unit.fastest();
     scanner.resolution = unit.resolution();
+    scanner.speedStep = unit.speedStep();
 }
 
 Result<FittedPlan> fitPlanTo(const KnownScanner& scanner, const ScanPlan& plan)

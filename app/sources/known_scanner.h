@@ -15,6 +15,7 @@ struct KnownScanner {
     double highest = 0.0;     ///< [rad]
     double fastest = 0.0;     ///< [rad/s]
     double resolution = 0.0;  ///< its smallest step [rad]
+    double speedStep = 0.0;   ///< of which its speeds are multiples [rad/s]; 0: it has any
 };
 
 /// Takes over what a unit says.

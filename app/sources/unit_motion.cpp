@@ -41,7 +41,7 @@ UnitMotion::UnitMotion(std::unique_ptr<TiltUnit> unit, const Clock& clock, std::
 UnitMotion::~UnitMotion()
 {
     if (mayMove_)
-        static_cast<void>(hold());
+        static_cast<void>(rest());
 }
 
 tl::unexpected<Error> UnitMotion::stopped() const
@@ -107,7 +107,7 @@ Result<void> UnitMotion::moveUnheld(double pitch, double speed)
         const Result<TiltSample> now = sample(clock_.now() + kMostSilence);
         if (!now)
             return tl::unexpected{now.error()};
-        if (!now->moving && std::abs(now->pitch - goal) <= 2.5 * unit_->resolution())
+        if (!now->moving && std::abs(now->pitch - goal) <= unit_->tolerance() + 0.5 * unit_->resolution())
             return {};
         if (clock_.now() >= until)
             return fail(ErrorCode::DeviceLost, unit_->identity() + ": the head does not get to " + inDegrees(goal) +
@@ -124,6 +124,22 @@ Result<void> UnitMotion::hold()
     return held;
 }
 
+Result<void> UnitMotion::rest()
+{
+    const Result<void> rested = stop_.stop_requested() ? unit_->hold() : unit_->stop();
+    if (rested)
+        mayMove_ = false;
+    return rested;
+}
+
+Result<std::string> release(TiltUnit& unit, const std::stop_token& stop)
+{
+    if (const Result<void> released = unit.recover(stop); !released)
+        return tl::unexpected{released.error()};
+    const std::string trouble = unit.motor().trouble;
+    return unit.identity() + " is released" + (trouble.empty() ? "" : "; it says: " + trouble);
+}
+
 Result<double> bringToLevel(UnitMotion& motion)
 {
     if (const Result<void> armed = motion.arm(); !armed)
@@ -133,8 +149,8 @@ Result<double> bringToLevel(UnitMotion& motion)
     if (const Result<void> moved = motion.moveTo(level, std::min(kSlowly, unit.fastest())); !moved)
         return tl::unexpected{moved.error()};
     const Result<double> there = motion.position();
-    if (const Result<void> held = motion.hold(); !held)
-        return tl::unexpected{held.error()};
+    if (const Result<void> rested = motion.rest(); !rested)
+        return tl::unexpected{rested.error()};
     return there;
 }
 

@@ -30,6 +30,7 @@ NoddingSetup noddingOf(const DeviceSetup& setup, const AcquisitionSettings& sett
     nodding.plan.slices = settings.slices;
     nodding.plan.firstBearing = degrees(setup.firstBearing);
     nodding.plan.lastBearing = degrees(setup.lastBearing);
+    nodding.plan.cluster = setup.cluster;
     nodding.plan.pitchAxisOffset = setup.axisOffset;
     nodding.plan.settle = std::chrono::milliseconds{std::lround(setup.settle)};
     nodding.plan.travelSpeed = degrees(setup.travelSpeed);
@@ -88,6 +89,7 @@ void DeviceControl::connectForm()
     connect(&panel.devices(), &DeviceForm::searchRequested, this, [this] { search(true); });
     connect(&panel.devices(), &DeviceForm::testRequested, this, &DeviceControl::test);
     connect(&panel.devices(), &DeviceForm::homeRequested, this, &DeviceControl::home);
+    connect(&panel.devices(), &DeviceForm::recoverRequested, this, &DeviceControl::recover);
 }
 
 void DeviceControl::connectTrials()
@@ -101,7 +103,10 @@ void DeviceControl::connectTrials()
     connect(&trials_, &DeviceTrials::checksChanged, &parts_.sourcePanel->devices(), &DeviceForm::setChecks);
     connect(&trials_, &DeviceTrials::failed, this, [this](const Error& error) {
         parts_.log(LogSeverity::Error, tr("devices"), QString::fromStdString(error.message));
+        if (error.code == ErrorCode::NeedsOperator)
+            parts_.sourcePanel->devices().setRecoverable(true);
     });
+    connect(&trials_, &DeviceTrials::passed, this, [this] { parts_.sourcePanel->devices().setRecoverable(false); });
 }
 
 /// A laser that is open can neither be asked nor tested.
@@ -172,6 +177,12 @@ void DeviceControl::home()
 {
     if (isIdle())
         trials_.home(tiltUnitAddress(parts_.sourcePanel->devices().setup()));
+}
+
+void DeviceControl::recover()
+{
+    if (isIdle())
+        trials_.recover(tiltUnitAddress(parts_.sourcePanel->devices().setup()));
 }
 
 void DeviceControl::connectDevices(const DeviceSetup& setup)

@@ -38,6 +38,7 @@ private:
     void show(const FoundDevices& found);
     void test();
     void home();
+    void recover();
     void connectDevices(const DeviceSetup& setup);
     /// What a scan takes with the devices that were connected last; empty for others.
     Result<std::string> estimate(const DeviceSetup& setup) const;

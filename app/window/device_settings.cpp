@@ -37,6 +37,7 @@ constexpr std::array<Number, 11> kNumbers{{{"devices/first-tilt", &DeviceSetup::
                                            {"devices/axis-offset", &DeviceSetup::axisOffset}}};
 
 const QString kStepAndStare = QStringLiteral("devices/step-and-stare");
+const QString kCluster = QStringLiteral("devices/joined-steps");
 const QString kKnownLasers = QStringLiteral("devices/known-lasers");
 
 }  // namespace
@@ -52,6 +53,9 @@ DeviceSetup loadDeviceSetup(const QSettings& settings)
         if (isNumber && std::isfinite(value))
             setup.*number.value = value;
     }
+    bool isNumber = false;
+    if (const int cluster = settings.value(kCluster).toString().toInt(&isNumber); isNumber)
+        setup.cluster = cluster;
     setup.stepAndStare = settings.value(kStepAndStare).toString() == QLatin1String("true");
     return setup;
 }
@@ -62,6 +66,7 @@ void saveDeviceSetup(const DeviceSetup& setup, QSettings& settings)
         settings.setValue(QLatin1String(text.key), QString::fromStdString(setup.*text.value));
     for (const Number& number : kNumbers)
         settings.setValue(QLatin1String(number.key), QString::number(setup.*number.value, 'g', 17));
+    settings.setValue(kCluster, QString::number(setup.cluster));
     settings.setValue(kStepAndStare, setup.stepAndStare ? QStringLiteral("true") : QStringLiteral("false"));
 }
 

@@ -15,13 +15,25 @@ namespace planewright {
 
 namespace {
 
-Result<std::string> bringHome(const std::string& tiltUnit, const std::stop_token& stop)
+Result<std::unique_ptr<TiltUnit>> openUnit(const std::string& tiltUnit, const std::stop_token& stop)
 {
     const auto address = parseDeviceAddress(tiltUnit);
     if (!address)
         return tl::unexpected{address.error()};
-    DeviceOpener opener(steadyClock());
-    auto unit = opener.openTiltUnit(*address, stop);
+    return DeviceOpener(steadyClock()).openTiltUnit(*address, stop);
+}
+
+Result<std::string> releaseUnit(const std::string& tiltUnit, const std::stop_token& stop)
+{
+    const auto unit = openUnit(tiltUnit, stop);
+    if (!unit)
+        return tl::unexpected{unit.error()};
+    return release(**unit, stop);
+}
+
+Result<std::string> bringHome(const std::string& tiltUnit, const std::stop_token& stop)
+{
+    auto unit = openUnit(tiltUnit, stop);
     if (!unit)
         return tl::unexpected{unit.error()};
     UnitMotion motion(std::move(*unit), steadyClock(), stop);
@@ -64,6 +76,14 @@ void DeviceTrials::home(const std::string& tiltUnit)
     });
 }
 
+void DeviceTrials::recover(const std::string& tiltUnit)
+{
+    run({"Release the tilt unit"}, [this, tiltUnit](const std::stop_token& stop) {
+        tell(0, std::nullopt);
+        tell(0, releaseUnit(tiltUnit, stop));
+    });
+}
+
 void DeviceTrials::run(std::vector<std::string> checks, Work work)
 {
     if (work_.isBusy())
@@ -95,6 +115,8 @@ void DeviceTrials::tell(std::size_t check, const std::optional<Result<std::strin
             emit checksChanged(checks_);
             if (result && !*result)
                 emit failed(result->error());
+            if (result && *result && check + 1 == checks_.size())
+                emit passed();
         },
         Qt::QueuedConnection);
 }

@@ -30,6 +30,8 @@ public:
     /// Each does nothing while another one runs.
     void test(const std::string& laser, const NoddingSetup& setup);
     void home(const std::string& tiltUnit);
+    /// Releases a unit that waits for a person: never unasked.
+    void recover(const std::string& tiltUnit);
 
     /// Holds what one of them moves within one round trip, and ends it.
     void stopMotion();
@@ -41,6 +43,8 @@ signals:
     void busyChanged();
     void checksChanged(const std::vector<planewright::DeviceCheck>& checks);
     void failed(const planewright::Error& error);
+    /// One of them has ended well.
+    void passed();
 
 private:
     using Work = std::function<void(const std::stop_token& stop)>;

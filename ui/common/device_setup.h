@@ -18,6 +18,7 @@ struct DeviceSetup {
     double tiltStep = 1.16;   ///< [degrees]
     double firstBearing = 0.0;
     double lastBearing = 180.0;
+    int cluster = 1;               ///< steps of the laser that are joined to one range
     double settle = 8.0;           ///< rest before a slice of Step and stare [ms]
     double travelSpeed = 90.0;     ///< between steps, and to where a scan begins [degrees/s]
     double lowest = 0.0;           ///< soft limits of the tilt [degrees]

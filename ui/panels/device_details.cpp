@@ -34,6 +34,9 @@ DeviceDetails::DeviceDetails(QWidget* parent)
     form->setContentsMargins({});
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 
+    cluster_ = addNumber(form, tr("Joined steps"), QStringLiteral("deviceCluster"), {}, 1.0, 99.0,
+                         tr("Steps of the laser that give one range together, the least of them: for coarser scans"));
+    cluster_->setDecimals(0);
     lowest_ = addNumber(form, tr("Lowest tilt"), QStringLiteral("deviceLowest"), tr("°"), -360.0, 360.0,
                         tr("The head never goes below this angle; 90° looks level"));
     highest_ = addNumber(form, tr("Highest tilt"), QStringLiteral("deviceHighest"), tr("°"), -360.0, 360.0,
@@ -104,6 +107,7 @@ void DeviceDetails::addFolder(QFormLayout* form)
 
 void DeviceDetails::writeTo(DeviceSetup& setup) const
 {
+    setup.cluster = static_cast<int>(cluster_->value());
     setup.lowest = lowest_->value();
     setup.highest = highest_->value();
     setup.fastest = fastest_->value();
@@ -115,6 +119,7 @@ void DeviceDetails::writeTo(DeviceSetup& setup) const
 
 void DeviceDetails::setSetup(const DeviceSetup& setup)
 {
+    cluster_->setValue(setup.cluster);
     lowest_->setValue(setup.lowest);
     highest_->setValue(setup.highest);
     fastest_->setValue(setup.fastest);

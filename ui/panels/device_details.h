@@ -40,6 +40,7 @@ private:
 
     QToolButton* header_;
     QWidget* body_;
+    QDoubleSpinBox* cluster_;
     QDoubleSpinBox* lowest_;
     QDoubleSpinBox* highest_;
     QDoubleSpinBox* fastest_;

@@ -29,6 +29,8 @@ struct FakeHead {
     bool isHeld = false;
     int moves = 0;
     std::atomic<int> holds{0};
+    int rests = 0;
+    int recoveries = 0;
     bool isBlocked = false;            ///< it does not turn
     bool isSilent = false;             ///< it tells no angle
     std::optional<Error> refusal;      ///< of the next moveTo()
@@ -92,6 +94,19 @@ public:
         ++head_->holds;
         return {};
     }
+    Result<void> stop() override
+    {
+        ++head_->rests;
+        const int holds = head_->holds;
+        const Result<void> held = hold();
+        head_->holds = holds;
+        return held;
+    }
+    Result<void> recover(const std::stop_token& /*stop*/) override
+    {
+        ++head_->recoveries;
+        return {};
+    }
     LinkHealth health() const override { return {}; }
     MotorState motor() const override { return {}; }
 
@@ -118,9 +133,9 @@ public:
     Result<void> connect(const std::stop_token& /*stop*/) override { return {}; }
     const LaserIdentity& identity() const override { return identity_; }
     const LaserLimits& limits() const override { return limits_; }
-    Result<void> start(int first, int last, const std::stop_token& /*stop*/) override
+    Result<void> start(const LaserBeams& beams, const std::stop_token& /*stop*/) override
     {
-        beams_ = static_cast<std::size_t>(last - first + 1);
+        beams_ = static_cast<std::size_t>(beams.count());
         return {};
     }
     Result<std::optional<LaserScan>> next(std::chrono::nanoseconds /*deadline*/,

@@ -24,7 +24,8 @@ private slots:
     void aRefusedMoveIsHeld();
     void aBlockedHeadIsToldWithWhereItStands();
     void aSilentUnitIsToldAsOne();
-    void theEndOfItHolds();
+    void theEndOfItComesToRest();
+    void aUnitIsReleasedAndMovesNothing();
 };
 
 namespace {
@@ -152,7 +153,21 @@ void UnitMotionTest::aSilentUnitIsToldAsOne()
     QCOMPARE(rig.head->moves, 0);  // nobody moves what he does not see
 }
 
-void UnitMotionTest::theEndOfItHolds()
+void UnitMotionTest::aUnitIsReleasedAndMovesNothing()
+{
+    FakeClock clock;
+    const auto head = std::make_shared<FakeHead>();
+    FakeUnit unit(head, clock);
+
+    const auto released = release(unit, {});
+
+    QCOMPARE(released.value(), std::string("fake unit is released"));
+    QCOMPARE(head->recoveries, 1);
+    QVERIFY(!head->isArmed);
+    QCOMPARE(head->moves, 0);
+}
+
+void UnitMotionTest::theEndOfItComesToRest()
 {
     Rig rig;
     QVERIFY(rig.motion->arm());
@@ -160,7 +175,8 @@ void UnitMotionTest::theEndOfItHolds()
     rig.motion.reset();
 
     QVERIFY(rig.head->isHeld);
-    QCOMPARE(rig.head->holds.load(), 1);
+    QCOMPARE(rig.head->rests, 1);
+    QCOMPARE(rig.head->holds.load(), 0);  // which is for emergencies
 }
 
 }  // namespace planewright

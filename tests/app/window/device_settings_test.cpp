@@ -29,6 +29,7 @@ void DeviceSettingsTest::whatWasSetUpIsThereTheNextTime()
     setup.tiltStep = 0.3;
     setup.firstBearing = 10.0;
     setup.lastBearing = 170.0;
+    setup.cluster = 4;
     setup.settle = 30.0;
     setup.travelSpeed = 45.0;
     setup.lowest = -10.0;

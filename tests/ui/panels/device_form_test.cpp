@@ -232,8 +232,8 @@ void DeviceFormTest::factsStandOutWhereTheyAreTrouble()
 void DeviceFormTest::theSetupIsGivenAsItWasTyped()
 {
     QSignalSpy requested(panel_.get(), &SourcePanel::devicesRequested);
-    const DeviceSetup setup{"usb:", "board:usb:", true, 20.0,  120.0,           2.5, 10.0, 170.0, 30.0, 45.0,
-                            -10.0,  150.0,        60.0, 0.081, "/tmp/dialogues"};
+    const DeviceSetup setup{"usb:", "board:usb:", true, 20.0,  120.0, 2.5,  10.0,  170.0,
+                            4,      30.0,         45.0, -10.0, 150.0, 60.0, 0.081, "/tmp/dialogues"};
     panel_->showDevices(setup);
 
     find<QPushButton>("openSource")->click();
