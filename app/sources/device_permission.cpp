@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <unistd.h>
 
 #include "devices/transport/serial_line.h"
 #include "devices/transport/usb_error.h"
@@ -33,7 +32,7 @@ std::optional<Hindrance> hindranceOf(const UsbDevice& device)
 
 std::optional<Hindrance> hindranceOf(const std::string& serialPort)
 {
-    if (::access(serialPort.c_str(), R_OK | W_OK) == 0 || (errno != EACCES && errno != EPERM))
+    if (!isForbiddenPort(serialPort))
         return std::nullopt;
     return Hindrance{serialPort + ": " + serialTroubleText(EACCES, serialPort), serialPermissionCommand(serialPort)};
 }

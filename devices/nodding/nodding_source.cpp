@@ -322,31 +322,6 @@ Result<void> NoddingSource::end()
     return rested;
 }
 
-bool NoddingSource::isHeld() const
-{
-    const std::scoped_lock lock{mutex_};
-    return paused_ || motionStopped_;
-}
-
-bool NoddingSource::isMotionStopped() const
-{
-    const std::scoped_lock lock{mutex_};
-    return motionStopped_;
-}
-
-/// True once after release().
-bool NoddingSource::takePermission()
-{
-    const std::scoped_lock lock{mutex_};
-    return std::exchange(mayRecover_, false);
-}
-
-int NoddingSource::pauses() const
-{
-    const std::scoped_lock lock{mutex_};
-    return pauses_;
-}
-
 /// The head comes to rest, and the laser falls silent. A device that is gone is opened anew when the scan goes on.
 tl::unexpected<Error> NoddingSource::fault(Error error)
 {
@@ -360,55 +335,6 @@ tl::unexpected<Error> NoddingSource::fault(Error error)
     silences_ = 0;
     taker_.resume();
     return tl::unexpected{std::move(error)};
-}
-
-Result<void> NoddingSource::pause()
-{
-    const std::scoped_lock lock{mutex_};
-    paused_ = true;
-    ++pauses_;
-    asked_.notify_all();
-    return {};
-}
-
-Result<void> NoddingSource::resume()
-{
-    const std::scoped_lock lock{mutex_};
-    if (motionStopped_)
-        return fail(ErrorCode::NeedsOperator, name() + ": motion was stopped; release it before the scan goes on");
-    paused_ = false;
-    asked_.notify_all();
-    return {};
-}
-
-Result<void> NoddingSource::stopMotion()
-{
-    {
-        const std::scoped_lock lock{mutex_};
-        motionStopped_ = true;
-        paused_ = true;
-        ++pauses_;
-        asked_.notify_all();
-    }
-    return devices_.hold();
-}
-
-void NoddingSource::release()
-{
-    const std::scoped_lock lock{mutex_};
-    motionStopped_ = false;
-    mayRecover_ = true;
-}
-
-NoddingHealth NoddingSource::deviceHealth() const
-{
-    return {devices_.laserHealth(), devices_.tiltHealth(), devices_.motor(),
-            Time{largestSkew_},     fitted_.pitchStep,     slicesLost_};
-}
-
-std::vector<HealthFact> NoddingSource::health() const
-{
-    return factsOf(deviceHealth());
 }
 
 }  // namespace planewright

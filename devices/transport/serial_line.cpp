@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 #include "devices/transport/descriptor.h"
@@ -82,6 +83,11 @@ Result<std::unique_ptr<Transport>> openSerialLine(const std::string& path, int b
                       " bit/s; give a speed that it can have with ?baud=, or use another adapter");
     raiseModemLines(line.number());
     return DescriptorLink::open(std::move(line), path, serialEndText, clock);
+}
+
+bool isForbiddenPort(const std::string& path)
+{
+    return ::access(path.c_str(), R_OK | W_OK) != 0 && (errno == EACCES || errno == EPERM);
 }
 
 std::string serialPermissionCommand(const std::string& path)

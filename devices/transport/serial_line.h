@@ -19,6 +19,9 @@ namespace planewright {
 /// program, no serial port, a speed that it cannot have.
 Result<std::unique_ptr<Transport>> openSerialLine(const std::string& path, int baud, const Clock& clock);
 
+/// True where a port is there and this user has no right to open it.
+bool isForbiddenPort(const std::string& path);
+
 /// The shell command that lets this user open a serial port, after the next login: adds him to the port's group.
 std::string serialPermissionCommand(const std::string& path);
 

@@ -70,15 +70,16 @@ struct BoardRig {
         return samples;
     }
 
-    /// Takes samples until the motor is at rest, for at most 10 s: the last one.
+    /// Takes samples until the motor is at rest, for at most 10 s: the last one. Those of before are passed over.
     Result<TiltSample> arrive()
     {
-        const std::chrono::nanoseconds end = clock.now() + std::chrono::seconds{10};
+        const std::chrono::nanoseconds begun = clock.now();
+        const std::chrono::nanoseconds end = begun + std::chrono::seconds{10};
         while (clock.now() < end) {
             const auto sample = tilt.sample(end, {});
             if (!sample)
                 return tl::unexpected(sample.error());
-            if (*sample && !(*sample)->moving)
+            if (*sample && !(*sample)->moving && (*sample)->at > begun)
                 return **sample;
         }
         return fail(ErrorCode::Internal, "it never came to rest");

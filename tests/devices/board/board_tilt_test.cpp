@@ -104,7 +104,9 @@ void BoardTiltTest::samplesHaveTheTimeOfTheHost()
     EmulatedBoardSetup setup = levelBoard();
     setup.clockDrift = -200e-6;
     setup.bootAt = -3600s;
-    BoardRig rig{setup};
+    BoardTiltOptions options = BoardRig::level();
+    options.positionRate = 100;
+    BoardRig rig{setup, options};
     QVERIFY(rig.tilt.connect({}));
     QVERIFY(rig.tilt.arm({}));
 

@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "devices/dynamixel/requests.h"
-#include "tests/devices/dynamixel/servo_rig.h"
+#include "tests/devices/dynamixel/moving_servo.h"
 
 namespace planewright {
 
@@ -21,14 +21,9 @@ private slots:
     void anAlarmEndsTheMotionAndNamesItsNumbers_data();
     void anAlarmEndsTheMotionAndNamesItsNumbers();
     void anAlarmAtConnectIsSeenBeforeAnythingMoves();
-    void recoverySetsTheTorqueLimitAndTheGoalWhereItStands();
-    void recoveryWaitsUntilItIsCoolEnough();
-    void recoveryIsRefusedASecondTime();
     void aRefusedRequestIsLoggedAndEndsTheMotion_data();
     void aRefusedRequestIsLoggedAndEndsTheMotion();
     void silenceAndDamageAreLogged();
-    void recoveryOfTwoRestartsTheServo();
-    void aSupplyThatIsBackNeedsNoRecovery();
     void silenceIsToldAfterThreeTries_data();
     void silenceIsToldAfterThreeTries();
     void lostBytesAreAskedForAgain();
@@ -44,54 +39,6 @@ private slots:
     void aPulledCableIsGone();
     void theReactionIsTheSameInEveryRun();
 };
-
-namespace {
-
-constexpr std::uint8_t kWrite = 0x03;
-
-/// A servo on its way through 0 at 60°/s, with a fault to come at turn 10.
-struct Moving : ServoRig {
-    explicit Moving(const std::string& fault, EmulatedServoSettings settings = {}, DynamixelOptions options = {})
-        : ServoRig(withPitch(std::move(settings)), {{fault, 10}}, options)
-    {
-        if (!ready() || !tilt->moveTo(degrees(60.0), degrees(60.0)))
-            qFatal("the servo is not sound to begin with");
-        while (truth(clock.now()) < 0.0)
-            sample().value().value();
-        link->forget();
-        turn = 10;
-        began = clock.now();
-    }
-
-    static EmulatedServoSettings withPitch(EmulatedServoSettings settings)
-    {
-        settings.pitch = degrees(-30.0);
-        return settings;
-    }
-
-    std::vector<DynamixelPacket> writes() const
-    {
-        std::vector<DynamixelPacket> all;
-        for (const WrittenRequest& request : link->written()) {
-            if (request.packet.code == kWrite)
-                all.push_back(request.packet);
-        }
-        return all;
-    }
-
-    std::chrono::nanoseconds began{0};
-};
-
-/// Says why where a result is an error.
-#define VERIFY_DONE(call)                                         \
-    do {                                                          \
-        const auto done = call;                                   \
-        QVERIFY2(done, done ? "" : done.error().message.c_str()); \
-    } while (false)
-
-#define VERIFY_SAYS(message, ...) QVERIFY2(says(message, __VA_ARGS__), (message).c_str())
-
-}  // namespace
 
 void DynamixelFaultsTest::whatDoesNotMoveIsToldTwiceAndThenHeld_data()
 {
@@ -226,48 +173,6 @@ void DynamixelFaultsTest::anAlarmAtConnectIsSeenBeforeAnythingMoves()
     }
 }
 
-void DynamixelFaultsTest::recoverySetsTheTorqueLimitAndTheGoalWhereItStands()
-{
-    Moving rig{"servo-overload", withRegister({}, 14, 900)};
-    QVERIFY(!rig.sample());
-    const double there = rig.truth(rig.clock.now());
-    rig.link->forget();
-
-    VERIFY_DONE(rig.tilt->recover({}));
-
-    std::vector<std::string> writes;
-    for (const DynamixelPacket& write : rig.writes())
-        writes.push_back(hexText(write.parameters));
-    QCOMPARE(writes.size(), std::size_t(4));
-    QCOMPARE(writes[0], std::string{"20 01 00"});  // the slowest speed, goal, torque limit 900, torque
-    QCOMPARE(writes[1].substr(0, 2), std::string{"1E"});
-    QCOMPARE(writes[2], std::string{"22 84 03"});
-    QCOMPARE(writes[3], std::string{"18 01"});
-    QVERIFY(std::abs(rig.truth(rig.clock.now() + 2s) - there) < degrees(0.3));
-    QVERIFY(rig.tilt->motor().trouble.empty());
-    QVERIFY(!rig.tilt->moveTo(degrees(10.0), 1.0));
-    VERIFY_DONE(rig.tilt->arm({}));
-    VERIFY_DONE(rig.tilt->moveTo(degrees(10.0), 1.0));
-    VERIFY_DONE(rig.arrive());
-}
-
-void DynamixelFaultsTest::recoveryWaitsUntilItIsCoolEnough()
-{
-    Moving rig{"servo-overheat"};
-    QVERIFY(!rig.sample());
-    rig.link->forget();
-
-    // 82 °C at the beginning, 1 °C less every second; from 80 °C it must fall below 70.
-    rig.clock.advance(11s);
-    const auto early = rig.tilt->recover({});
-    QVERIFY(!early);
-    VERIFY_SAYS(early.error().message, {"too warm", "below 70 °C"});
-    QVERIFY(rig.writes().empty());
-    rig.clock.advance(3s);
-    VERIFY_DONE(rig.tilt->recover({}));
-    VERIFY_DONE(rig.tilt->arm({}));
-}
-
 void DynamixelFaultsTest::aRefusedRequestIsLoggedAndEndsTheMotion_data()
 {
     QTest::addColumn<int>("model");
@@ -323,72 +228,6 @@ void DynamixelFaultsTest::silenceAndDamageAreLogged()
     QVERIFY2(log[0].bytes.starts_with("FF FF 01 0D 04 "), log[0].bytes.c_str());  // its answer, with bit 2
     QVERIFY(!hot.sample());
     QVERIFY(hot.tilt->takeLog().empty());  // the same alarm is no news
-}
-
-void DynamixelFaultsTest::recoveryIsRefusedASecondTime()
-{
-    Moving rig{"servo-overload"};
-    QVERIFY(!rig.sample());
-    VERIFY_DONE(rig.tilt->recover({}));
-    {
-        // The load is still there.
-        const std::scoped_lock lock(*rig.mutex);
-        rig.servo->receive(
-            encodePacket(DynamixelProtocol::One, writeRequest(DynamixelProtocol::One, 1, 34, littleEndian(0, 2))),
-            rig.clock.now());
-    }
-    rig.clock.advance(100ms);
-    QVERIFY(!rig.tilt->arm({}));
-
-    const auto again = rig.tilt->recover({});
-
-    QVERIFY(!again);
-    VERIFY_SAYS(again.error().message, {"recovered before", "connect again"});
-    VERIFY_DONE(rig.tilt->connect({}));
-    VERIFY_DONE(rig.tilt->recover({}));
-}
-
-void DynamixelFaultsTest::recoveryOfTwoRestartsTheServo()
-{
-    Moving rig{"servo-overload", emulated(1020)};
-    QVERIFY(!rig.sample());
-    QVERIFY(!rig.tilt->arm({}));
-    rig.link->forget();
-    const double there = rig.truth(rig.clock.now());
-
-    VERIFY_DONE(rig.tilt->recover({}));
-
-    QVERIFY(rig.writes().empty());
-    int reboots = 0;
-    for (const WrittenRequest& request : rig.link->written())
-        reboots += request.packet.code == 0x08 ? 1 : 0;
-    QCOMPARE(reboots, 1);
-    VERIFY_DONE(rig.tilt->arm({}));
-    QVERIFY(std::abs(rig.truth(rig.clock.now() + 1s) - there) < degrees(0.3));
-    VERIFY_DONE(rig.tilt->moveTo(degrees(10.0), 1.0));
-    VERIFY_DONE(rig.arrive());
-}
-
-void DynamixelFaultsTest::aSupplyThatIsBackNeedsNoRecovery()
-{
-    // Below its limit by 0.2 V until the limit is set lower.
-    Moving rig{"servo-voltage"};
-    QVERIFY(!rig.sample());
-    const auto early = rig.tilt->recover({});
-    QVERIFY(!early);
-    VERIFY_SAYS(early.error().message, {"wrong supply", "5.8 V"});
-    {
-        const std::scoped_lock lock(*rig.mutex);
-        rig.servo->receive(
-            encodePacket(DynamixelProtocol::One, writeRequest(DynamixelProtocol::One, 1, 12, littleEndian(50, 1))),
-            rig.clock.now());
-    }
-    rig.clock.advance(100ms);
-
-    QVERIFY(rig.sample());
-    QVERIFY(!rig.tilt->moveTo(0.0, 1.0));
-    VERIFY_DONE(rig.tilt->arm({}));
-    VERIFY_DONE(rig.tilt->moveTo(0.0, 1.0));
 }
 
 void DynamixelFaultsTest::silenceIsToldAfterThreeTries_data()

@@ -421,7 +421,7 @@ void EmulatedServoTest::faultsComeAtTheirTurnOfTheLaser()
 
 void EmulatedServoTest::everyFaultHasASentence()
 {
-    QCOMPARE(servoFaultKinds().size(), std::size_t(16));
+    QCOMPARE(servoFaultKinds().size(), std::size_t(20));
     for (const ServoFaultKind& kind : servoFaultKinds()) {
         QVERIFY(kind.kind.starts_with("servo-"));
         QVERIFY(kind.sentence.ends_with("."));

@@ -64,12 +64,15 @@ void JoinedStepsTest::aRangeIsTheLeastOfItsSteps()
         QCOMPARE(joined[i].ranges.size(), std::size_t(180));
         QVERIFY(std::abs(joined[i].firstBearing - coarse.firstBearing) < 1e-12);
         QVERIFY(std::abs(joined[i].tilt - all[i].tilt) < 1e-9);
+        int off = 0;
         for (std::size_t range = 0; range < 180; ++range) {
             double least = 1e9;  // of those that have one
             for (std::size_t step = 4 * range; step < 4 * range + 4; ++step)
                 least = all[i].ranges[step] > 0.0 ? std::min(least, all[i].ranges[step]) : least;
-            QCOMPARE(joined[i].ranges[range], least < 1e9 ? least : 0.0);
+            off += std::abs(joined[i].ranges[range] - (least < 1e9 ? least : 0.0)) > 0.005 ? 1 : 0;
         }
+        // Where within a count the head comes to rest is another each time, which moves edges and slanting walls.
+        QVERIFY2(off <= 9, qPrintable(QString("%1 in slice %2").arg(off).arg(i)));
     }
 }
 
