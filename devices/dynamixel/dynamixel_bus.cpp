@@ -74,7 +74,8 @@ Result<void> DynamixelBus::listen(const ServoQuestion& question, std::span<const
         const std::vector<std::uint8_t> rest = echo.push(std::span{buffer}.first(arrival->count));
         heard += rest.size();
         const std::size_t room = FaultLog::kMostBytes - reply.heard.size();
-        reply.heard.insert(reply.heard.end(), rest.begin(), rest.begin() + std::min(room, rest.size()));
+        reply.heard.insert(reply.heard.end(), rest.begin(),
+                           rest.begin() + static_cast<std::ptrdiff_t>(std::min(room, rest.size())));
         for (const DynamixelPacket& packet : parser.push(rest))
             take(question, packet, arrival->at, reply);
         if (clock_.now() > deadline)
