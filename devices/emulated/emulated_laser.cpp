@@ -236,7 +236,8 @@ void EmulatedLaser::sendScan(std::int64_t turn, int number)
     const std::string echo = scipRequest(measurement) + stream_->tag;
     std::vector<std::uint32_t> codes = beams(measurement, turn);
     if (strikes("laser-count", number))
-        codes.resize(codes.size() - std::min<std::size_t>(codes.size(), std::max(1, measurement.cluster)));
+        codes.resize(codes.size() -
+                     std::min<std::size_t>(codes.size(), static_cast<std::size_t>(std::max(1, measurement.cluster))));
     std::string bytes =
         laserScan(echo, "99", measurement, stuckStamp_.value_or(stampAt(startOf(turn))), codes, options_.model);
     Time ready = momentOf(turn, measurement.last);
