@@ -225,4 +225,17 @@ public:
     std::unique_ptr<ScipLaser> laser;
 };
 
+/// The request whose answer is the stream that these benches begin.
+inline const std::string kStream = "MD0500058000000";
+
+inline LaserBench benchWith(std::vector<FaultAt> faults, const std::string& model = "UTM-30LX")
+{
+    return LaserBench{laserOptions(model, std::move(faults))};
+}
+
+inline double milliseconds(std::chrono::nanoseconds time)
+{
+    return std::chrono::duration<double, std::milli>(time).count();
+}
+
 }  // namespace planewright

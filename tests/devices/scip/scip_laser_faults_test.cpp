@@ -52,18 +52,6 @@ private slots:
 
 namespace {
 
-const std::string kStream = "MD0500058000000";
-
-LaserBench benchWith(std::vector<FaultAt> faults, const std::string& model = "UTM-30LX")
-{
-    return LaserBench{laserOptions(model, std::move(faults))};
-}
-
-double milliseconds(Time time)
-{
-    return std::chrono::duration<double, std::milli>(time).count();
-}
-
 /// Turns from one scan to the next.
 std::vector<int> turnsBetween(const std::vector<LaserScan>& scans)
 {

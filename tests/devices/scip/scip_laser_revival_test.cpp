@@ -28,22 +28,6 @@ private slots:
     void aNewModelThatAStartAnewCuresScansOn();
 };
 
-namespace {
-
-const std::string kStream = "MD0500058000000";
-
-LaserBench benchWith(std::vector<FaultAt> faults, const std::string& model = "UTM-30LX")
-{
-    return LaserBench{laserOptions(model, std::move(faults))};
-}
-
-double milliseconds(Time time)
-{
-    return std::chrono::duration<double, std::milli>(time).count();
-}
-
-}  // namespace
-
 /// A laser that answers up to a moment, and then nothing any more: not even QT.
 void ScipLaserRevivalTest::nextKeepsItsDeadlineWhileNothingIsAnswered()
 {
