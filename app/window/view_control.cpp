@@ -200,7 +200,7 @@ void ViewControl::connectSelection()
     View3d& view = parts_.window->view();
     connect(&view, &View3d::clicked, this, &ViewControl::select);
     connect(&view, &View3d::hovered, &selection, &MapSelection::hover);
-    connect(&selection, &MapSelection::changed, this, [this, &selection, &view] {
+    connect(&selection, &MapSelection::changed, this, [&selection, &view] {
         view.setSelection({selection.planes(), selection.segments(), selection.hovered()});
     });
     connect(parts_.planesPanel, &PlanesPanel::zoomRequested, this, [this, &view](PlaneId plane) {

@@ -18,7 +18,7 @@ namespace planewright {
 
 namespace {
 
-constexpr double kFarthest = degrees(20.0);
+constexpr double kMostTilted = degrees(20.0);
 /// Planes within this of level or plumb speak for a direction.
 constexpr double kNear = degrees(1.0);
 /// Of these, planes beyond so many standard deviations are neither.
@@ -57,13 +57,13 @@ std::vector<Eigen::Vector3d> proposals(const std::vector<Eigen::Vector3d>& norma
         if (length < 1e-9)
             return;
         up /= up.z() < 0.0 ? -length : length;
-        if (up.z() >= std::cos(kFarthest))
+        if (up.z() >= std::cos(kMostTilted))
             all.push_back(up);
     };
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const Eigen::Vector3d& n = normals[i];
         propose(n);
-        if (std::abs(n.z()) > std::sin(kFarthest))
+        if (std::abs(n.z()) > std::sin(kMostTilted))
             continue;
         if (std::abs(n.y()) > std::sin(kApart))
             propose({0.0, -n.z(), n.y()});  // the pitch alone makes it plumb

@@ -21,7 +21,7 @@ namespace {
 
 /// A residual counts less beyond so many standard deviations, and no more beyond so many.
 constexpr double kHuber = 3.0;
-constexpr double kFarthest = 8.0;
+constexpr double kMostSigmas = 8.0;
 /// Rays that meet a plane at a shallower angle do not tell its distance.
 constexpr double kLeastCosine = 0.07;
 /// Before a scan has told: how bent walls are at their rim [m].
@@ -137,7 +137,7 @@ PlaneSystem::Equations PlaneSystem::localOf(const SeenSlice& slice, double pitch
         variance = std::max(variance, 1e-12);
         const double size = std::abs(residual - offsets_[number]) / std::sqrt(variance);
         sizes_.push_back(size * rangeScale_);
-        if (moved_ && size > kFarthest)
+        if (moved_ && size > kMostSigmas)
             continue;
         const double weight = std::min(1.0, kHuber / std::max(size, 1e-9)) / variance;
 
@@ -156,7 +156,7 @@ PlaneSystem::Equations PlaneSystem::localOf(const SeenSlice& slice, double pitch
     // A segment that is off as a whole counts less: it is of something else, however well its points agree.
     if (moved_ && weights > 0.0) {
         const double sigmas = std::abs(means_[number]) / std::sqrt(1.0 / weights + square(segmentNoise_));
-        const double trust = sigmas > kFarthest ? 0.0 : std::min(1.0, kHuber / std::max(sigmas, 1e-9));
+        const double trust = sigmas > kMostSigmas ? 0.0 : std::min(1.0, kHuber / std::max(sigmas, 1e-9));
         means_[number] = weighted / weights;
         local.information *= trust;
         local.gradient *= trust;

@@ -27,4 +27,10 @@ std::string formatNumber(double value)
     return text;
 }
 
+std::string exactNumber(double value)
+{
+    char text[32];  // the longest is -1.7976931348623157e+308
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
 }  // namespace planewright

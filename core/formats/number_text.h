@@ -14,4 +14,7 @@ void appendNumber(std::string& text, double value);
 /// The same as a text of its own.
 std::string formatNumber(double value);
 
+/// The shortest decimal form that reads back to the same number, never by the locale.
+std::string exactNumber(double value);
+
 }  // namespace planewright

@@ -20,7 +20,7 @@ constexpr std::string_view kFormatLine = "# format = planewright-planes 1";
 constexpr std::size_t kLongestRow = std::size_t{16} << 20;
 
 /// Columns that are read; the first five must be there.
-enum Column : std::size_t { kId, kNx, kNy, kNz, kD, kPoints, kName, kClass, kColumns };
+enum PlaneColumn : std::size_t { kId, kNx, kNy, kNz, kD, kPoints, kName, kClass, kColumns };
 constexpr std::array<std::string_view, kColumns> kColumnNames{"id", "nx", "ny", "nz", "d", "points", "name", "class"};
 constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);
 
@@ -40,7 +40,7 @@ private:
     Result<void> readColumns();
     Result<PlaneRecord> readPlane(const CsvRecord& record) const;
     template <class Number>
-    Result<Number> readCell(const CsvRecord& record, Column column, std::string_view wanted) const;
+    Result<Number> readCell(const CsvRecord& record, PlaneColumn column, std::string_view wanted) const;
 
     TextLines lines_;
     std::string fileName_;
@@ -88,7 +88,7 @@ Result<void> PlanesCsvReader::readColumns()
 }
 
 template <class Number>
-Result<Number> PlanesCsvReader::readCell(const CsvRecord& record, Column column, std::string_view wanted) const
+Result<Number> PlanesCsvReader::readCell(const CsvRecord& record, PlaneColumn column, std::string_view wanted) const
 {
     const std::string& cell = record.cells[places_[column]];
     if (const auto value = readNumber<Number>(cell))
@@ -109,7 +109,7 @@ Result<PlaneRecord> PlanesCsvReader::readPlane(const CsvRecord& record) const
     plane.id = *id;
     std::array<double, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto value = readCell<double>(record, static_cast<Column>(kNx + i), "a finite number");
+        const auto value = readCell<double>(record, static_cast<PlaneColumn>(kNx + i), "a finite number");
         if (!value)
             return tl::unexpected(value.error());
         numbers[i] = *value;

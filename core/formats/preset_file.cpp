@@ -3,8 +3,6 @@
 
 #include "core/formats/preset_file.h"
 
-#include <array>
-#include <charconv>
 #include <istream>
 #include <ostream>
 
@@ -12,6 +10,7 @@
 
 #include "core/formats/json_text.h"
 #include "core/formats/message_text.h"
+#include "core/formats/number_text.h"
 #include "core/formats/strict_json.h"
 #include "core/formats/written.h"
 #include "core/params/registry.h"
@@ -29,8 +28,7 @@ Result<std::string> valueText(const std::string& key, const nlohmann::json& valu
         return std::string{value.get<bool>() ? "true" : "false"};
     if (!value.is_number())
         return fail(ErrorCode::Usage, "parameter " + key + ": a value is a number, a text, true or false; correct it");
-    std::array<char, 32> text;
-    return std::string{text.data(), std::to_chars(text.data(), text.data() + text.size(), value.get<double>()).ptr};
+    return exactNumber(value.get<double>());
 }
 
 }  // namespace

@@ -34,52 +34,56 @@ CREATE TABLE setting(scan_id INTEGER, key TEXT NOT NULL, value TEXT NOT NULL, PR
 )";
 
 /// A column and its place in the primary key, from 1; 0 where it is in none.
-struct Column {
+struct SchemaColumn {
     std::string_view name;
     int key = 0;
 };
 
 struct Table {
     std::string_view name;
-    std::span<const Column> columns;
+    std::span<const SchemaColumn> columns;
 };
 
-constexpr std::array<Column, 21> kScan{{{"id", 1},
-                                        {"name"},
-                                        {"floor"},
-                                        {"started_utc"},
-                                        {"state"},
-                                        {"scanner"},
-                                        {"bearing_start_deg"},
-                                        {"bearing_step_deg"},
-                                        {"beams"},
-                                        {"range_min_m"},
-                                        {"range_max_m"},
-                                        {"pitch_axis_offset_m"},
-                                        {"planned_slices"},
-                                        {"extra"},
-                                        {"x"},
-                                        {"y"},
-                                        {"z"},
-                                        {"qw"},
-                                        {"qx"},
-                                        {"qy"},
-                                        {"qz"}}};
-constexpr std::array<Column, 10> kSlice{{{"scan_id", 1},
-                                         {"step", 2},
-                                         {"time_us"},
-                                         {"pitch_deg"},
-                                         {"pitch_end_deg"},
-                                         {"pitch_commanded_deg"},
-                                         {"bearing_start_deg"},
-                                         {"flags"},
-                                         {"ranges"},
-                                         {"crc32"}}};
-constexpr std::array<Column, 6> kEvent{{{"id", 1}, {"scan_id"}, {"step"}, {"time_us"}, {"kind"}, {"payload"}}};
-constexpr std::array<Column, 5> kEdit{{{"seq", 1}, {"scan_id"}, {"kind"}, {"payload"}, {"undone"}}};
-constexpr std::array<Column, 3> kSetting{{{"scan_id", 1}, {"key", 2}, {"value"}}};
-constexpr std::array<Table, 5> kTables{
-    {{"scan", kScan}, {"slice", kSlice}, {"event", kEvent}, {"edit", kEdit}, {"setting", kSetting}}};
+constexpr std::array<SchemaColumn, 21> kScanColumns{{{"id", 1},
+                                                     {"name"},
+                                                     {"floor"},
+                                                     {"started_utc"},
+                                                     {"state"},
+                                                     {"scanner"},
+                                                     {"bearing_start_deg"},
+                                                     {"bearing_step_deg"},
+                                                     {"beams"},
+                                                     {"range_min_m"},
+                                                     {"range_max_m"},
+                                                     {"pitch_axis_offset_m"},
+                                                     {"planned_slices"},
+                                                     {"extra"},
+                                                     {"x"},
+                                                     {"y"},
+                                                     {"z"},
+                                                     {"qw"},
+                                                     {"qx"},
+                                                     {"qy"},
+                                                     {"qz"}}};
+constexpr std::array<SchemaColumn, 10> kSliceColumns{{{"scan_id", 1},
+                                                      {"step", 2},
+                                                      {"time_us"},
+                                                      {"pitch_deg"},
+                                                      {"pitch_end_deg"},
+                                                      {"pitch_commanded_deg"},
+                                                      {"bearing_start_deg"},
+                                                      {"flags"},
+                                                      {"ranges"},
+                                                      {"crc32"}}};
+constexpr std::array<SchemaColumn, 6> kEventColumns{
+    {{"id", 1}, {"scan_id"}, {"step"}, {"time_us"}, {"kind"}, {"payload"}}};
+constexpr std::array<SchemaColumn, 5> kEditColumns{{{"seq", 1}, {"scan_id"}, {"kind"}, {"payload"}, {"undone"}}};
+constexpr std::array<SchemaColumn, 3> kSettingColumns{{{"scan_id", 1}, {"key", 2}, {"value"}}};
+constexpr std::array<Table, 5> kTables{{{"scan", kScanColumns},
+                                        {"slice", kSliceColumns},
+                                        {"event", kEventColumns},
+                                        {"edit", kEditColumns},
+                                        {"setting", kSettingColumns}}};
 
 /// What is wrong with a table; empty if nothing is.
 Result<std::string> problemOf(const Table& table, bool moreColumns, SqlDatabase& database)

@@ -19,7 +19,7 @@ constexpr double kLargestAngle = 360.0;
 /// Rows of one scan that may be unreadable until the rest is given up.
 constexpr int kMostFailures = 50;
 
-enum Column { kStep, kTime, kPitch, kPitchEnd, kCommanded, kBearing, kFlags, kCheckSum, kScan, kSize, kRanges };
+enum SliceColumn { kStep, kTime, kPitch, kPitchEnd, kCommanded, kBearing, kFlags, kCheckSum, kScan, kSize, kRanges };
 
 /// A value of a wrong type becomes a text without being read: it may be larger than the memory.
 std::string numberOrText(const std::string& column)
@@ -56,7 +56,7 @@ public:
     std::string problem;
 
 private:
-    std::optional<double> angle(Column column, const char* name, bool mayLack);
+    std::optional<double> angle(SliceColumn column, const char* name, bool mayLack);
     bool readRanges(ScanSlice& slice);
     void tell(const std::string& what)
     {
@@ -71,7 +71,7 @@ private:
 };
 
 /// An angle [rad], from degrees.
-std::optional<double> SliceRows::angle(Column column, const char* name, bool mayLack)
+std::optional<double> SliceRows::angle(SliceColumn column, const char* name, bool mayLack)
 {
     if (mayLack && row_.isNull(column))
         return std::nullopt;

@@ -10,7 +10,7 @@ namespace planewright {
 namespace {
 
 /// Planes that are nearer to level than this sine of their slope meet no height along a line.
-constexpr double kLevel = 1e-6;
+constexpr double kSameLevel = 1e-6;
 /// Shorter pieces [m] are where a corner touches the height.
 constexpr double kShortest = 1e-6;
 
@@ -34,7 +34,7 @@ std::vector<PlanLine> cutAtHeight(const Outline& outline, const Eigen::Vector3d&
 {
     const Eigen::Vector2d along{-normal.y(), normal.x()};
     std::vector<PlanLine> lines;
-    if (along.norm() < kLevel)
+    if (along.norm() < kSameLevel)
         return lines;
     for (const Outline::Polygon& part : outline.parts) {
         std::vector<Eigen::Vector2d> crossings;

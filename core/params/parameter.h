@@ -55,7 +55,7 @@ constexpr bool defaultsAreInRange()
                      asNumber(defaults.*(rows.member)) <= rows.range.highest) &&
                     ...);
         },
-        Struct::describe());
+        rowsOf(defaults));
 }
 
 }  // namespace planewright

@@ -9,6 +9,9 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
+
+#include "core/params/parameter_rows.h"
 
 namespace planewright {
 
@@ -129,9 +132,9 @@ template <class Visitor>
 void forEachParameter(Visitor visit)
 {
     const auto visitPart = [&]<class Part>(Part Parameters::*part) {
-        std::apply([&](const auto&... rows) { (visit(rows, part), ...); }, Part::describe());
+        std::apply([&](const auto&... rows) { (visit(rows, part), ...); }, rowsOf(Part{}));
     };
-    std::apply([&](const auto... parts) { (visitPart(parts), ...); }, Parameters::parts());
+    std::apply([&](const auto... parts) { (visitPart(parts), ...); }, partsOfParameters());
 }
 
 /// Levenshtein's distance between two words.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/params/parameter.h"
 #include "core/params/parameters.h"
 #include "core/types/error.h"
 

@@ -15,14 +15,14 @@ constexpr int kSightSlices = 8;
 /// A χ² so small that no other plane needs to be looked at.
 constexpr double kCertain = 4.0;
 
-struct Candidate {
+struct JoinCandidate {
     PlaneTrack* plane = nullptr;
     double chi = 0.0;
     double gate = 0.0;
 };
 
 void consider(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const Parameters& parameters, double floor,
-              double gate, Candidate& best)
+              double gate, JoinCandidate& best)
 {
     if (best.plane == &plane || map.holds(plane, map.segment(number).left))
         return;
@@ -34,7 +34,7 @@ void consider(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const Para
 
 /// The plane that a segment fits best among those of the segments it faces in the slices from `from` to `to`.
 void considerNeighbours(SegmentNumber number, int from, int to, TrackMap& map, const Parameters& parameters,
-                        Candidate& best)
+                        JoinCandidate& best)
 {
     const BeamSpan beams = map.beams(number);
     const int step = to < from ? -1 : 1;
@@ -60,7 +60,7 @@ bool isInSight(const PlaneTrack& plane, int place, const TrackMap& map)
 }
 
 /// A plane that is known well and was seen lately may be joined without facing it: across a door, behind a pillar.
-void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parameters, Candidate& best)
+void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parameters, JoinCandidate& best)
 {
     const int place = map.segment(number).slice;
     const double known = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
@@ -75,7 +75,7 @@ void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parame
     }
 }
 
-void explain(SegmentNumber number, const Candidate& best, const TrackMap& map, StepRecorder& recorder)
+void explain(SegmentNumber number, const JoinCandidate& best, const TrackMap& map, StepRecorder& recorder)
 {
     if (!recorder.explains())
         return;
@@ -97,7 +97,7 @@ const std::vector<SegmentNumber>& joinTracks(TrackMap& map, const Parameters& pa
     joined.clear();
     left.clear();
     for (SegmentNumber number = slice.first; number < slice.end; ++number) {
-        Candidate best;
+        JoinCandidate best;
         if (place > 0)
             considerNeighbours(number, place - 1, place - back, map, parameters, best);
         if (best.plane == nullptr)
@@ -128,7 +128,7 @@ void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, 
         for (SegmentNumber number = slice.first; number < slice.end; ++number) {
             if (map.segment(number).owner != kNoPlane)
                 continue;
-            Candidate best;
+            JoinCandidate best;
             considerNeighbours(number, place, place - map.lookback(place), map, parameters, best);
             if (place + 1 < map.slices())
                 considerNeighbours(number, place + 1, place + map.lookahead(place), map, parameters, best);

@@ -20,7 +20,7 @@ constexpr int kSideMargin = 20;
 /// By how much worse one plane may explain the segments of two that scatter than each of these explains its own.
 constexpr double kWorse = 1.6;
 /// Pairs are looked at more closely, and told as nearly merged, up to this many times the gate.
-constexpr double kNearFactor = 4.0;
+constexpr double kNearGates = 4.0;
 
 bool sideBySide(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map)
 {
@@ -79,10 +79,10 @@ bool areOne(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Param
     const double floor = 0.5 * parameters.flatnessFloor();
     const double chi = a.estimate.mergeChi(b.estimate, floor, 1.0);
     const double scatter = std::max(scatterOf(a), scatterOf(b));
-    if (!(chi < kNearFactor * gate * scatter))
+    if (!(chi < kNearGates * gate * scatter))
         return false;
     const bool scatters = chi >= gate && scatter > 1.0;
-    if (scatters && !(a.estimate.mergeChi(b.estimate, floor, 1.0, scatterOf(a), scatterOf(b)) < kNearFactor * gate))
+    if (scatters && !(a.estimate.mergeChi(b.estimate, floor, 1.0, scatterOf(a), scatterOf(b)) < kNearGates * gate))
         return false;
     const double known = parameters.likelihood.mergeAngle * parameters.likelihood.mergeAngle;
     const bool sharp = a.estimate.normalVariance() < known && b.estimate.normalVariance() < known;

@@ -95,7 +95,7 @@ double bentShare(const PlaneTrack& plane, const TrackMap& map)
 }
 
 /// Degrees of freedom of a plane's χ²: two numbers a segment, less three of the plane.
-double freedomOf(const PlaneTrack& plane)
+double freedomOfMembers(const PlaneTrack& plane)
 {
     return std::max(1.0, 2.0 * static_cast<double>(plane.members.size()) - 3.0);
 }
@@ -107,7 +107,7 @@ double reducedChi(PlaneTrack& plane, TrackMap& map, const Parameters& parameters
         return plane.reducedChi;
     std::vector<double> chis(plane.members.size());
     plane.estimate.residualChis(map.together(plane.members), parameters.noise, parameters.flatnessFloor(), chis);
-    plane.reducedChi = std::accumulate(chis.begin(), chis.end(), 0.0) / freedomOf(plane);
+    plane.reducedChi = std::accumulate(chis.begin(), chis.end(), 0.0) / freedomOfMembers(plane);
     plane.reducedAt = map.moment();
     return plane.reducedChi;
 }
@@ -170,7 +170,7 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
     for (PlaneTrack& plane : map.planes()) {
         const std::size_t before = plane.members.size();
         while (plane.members.size() > 3 && plane.members.size() <= kThinned) {
-            const double limit = parameters.likelihood.largestReducedChi(freedomOf(plane));
+            const double limit = parameters.likelihood.largestReducedChi(freedomOfMembers(plane));
             const double reduced = reducedChi(plane, map, parameters);
             if (reduced <= limit)
                 break;
@@ -213,7 +213,7 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
              plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSlices)},
             {"free_strip_share", narrow ? strip.freeShare : 0.0, Comparison::LessEqual, p.stripShare},
             {"reduced_chi2", plane.members.size() <= kThinned ? reducedChi(plane, map, parameters) : 0.0,
-             Comparison::LessEqual, parameters.likelihood.largestReducedChi(freedomOf(plane))},
+             Comparison::LessEqual, parameters.likelihood.largestReducedChi(freedomOfMembers(plane))},
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
             {"incidence", map.meanIncidence(plane), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };

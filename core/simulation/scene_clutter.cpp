@@ -14,9 +14,9 @@ namespace planewright {
 
 namespace {
 
-constexpr double kWidth = 7.0;
-constexpr double kLength = 6.5;
-constexpr double kHeight = 2.8;
+constexpr double kClutterWidth = 7.0;
+constexpr double kClutterLength = 6.5;
+constexpr double kClutterHeight = 2.8;
 
 /// Gives out places on the floor that keep clear of each other, of the walls and of the sensor.
 class Places {
@@ -29,7 +29,8 @@ public:
         const double margin = radius + 0.1;
         Eigen::Vector2d centre;
         for (int attempt = 0; attempt < 1000; ++attempt) {
-            centre = {random_.uniform(margin, kWidth - margin), random_.uniform(margin, kLength - margin)};
+            centre = {random_.uniform(margin, kClutterWidth - margin),
+                      random_.uniform(margin, kClutterLength - margin)};
             if (isFree(centre, radius))
                 break;
         }
@@ -79,12 +80,12 @@ Scene makeClutter(std::uint64_t seed)
     pose.yaw = degrees(random.uniform(-10.0, 10.0));
 
     SceneBuilder room("clutter");
-    room.level("floor", 0.0, {0.0, 0.0}, {kWidth, kLength});
-    room.level("ceiling", kHeight, {0.0, 0.0}, {kWidth, kLength});
-    room.wall("right wall", {{kWidth, 0.0}, {kWidth, kLength}, 0.0, kHeight});
-    room.wall("end wall", {{kWidth, kLength}, {0.0, kLength}, 0.0, kHeight});
-    room.wall("left wall", {{0.0, kLength}, {0.0, 0.0}, 0.0, kHeight});
-    room.wall("back wall", {{0.0, 0.0}, {kWidth, 0.0}, 0.0, kHeight});
+    room.level("floor", 0.0, {0.0, 0.0}, {kClutterWidth, kClutterLength});
+    room.level("ceiling", kClutterHeight, {0.0, 0.0}, {kClutterWidth, kClutterLength});
+    room.wall("right wall", {{kClutterWidth, 0.0}, {kClutterWidth, kClutterLength}, 0.0, kClutterHeight});
+    room.wall("end wall", {{kClutterWidth, kClutterLength}, {0.0, kClutterLength}, 0.0, kClutterHeight});
+    room.wall("left wall", {{0.0, kClutterLength}, {0.0, 0.0}, 0.0, kClutterHeight});
+    room.wall("back wall", {{0.0, 0.0}, {kClutterWidth, 0.0}, 0.0, kClutterHeight});
 
     Places places(random, pose.position.head<2>());
     const int boxes = random.integer(11, 14);
@@ -107,9 +108,9 @@ Scene makeClutter(std::uint64_t seed)
     for (int i = 0; i < 4; ++i) {
         const double radius = random.uniform(0.015, 0.04);
         const Eigen::Vector2d at = places.next(radius);
-        room.pole({at.x(), at.y(), 0.0}, {0.0, 0.0, kHeight}, radius);
+        room.pole({at.x(), at.y(), 0.0}, {0.0, 0.0, kClutterHeight}, radius);
     }
-    room.pole({0.0, random.uniform(2.0, 5.0), kHeight - 0.25}, {kWidth, 0.0, 0.0}, 0.08);
+    room.pole({0.0, random.uniform(2.0, 5.0), kClutterHeight - 0.25}, {kClutterWidth, 0.0, 0.0}, 0.08);
     return room.build(pose);
 }
 

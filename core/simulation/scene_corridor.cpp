@@ -12,9 +12,9 @@ namespace planewright {
 
 namespace {
 
-constexpr double kWidth = 2.4;
-constexpr double kLength = 30.0;
-constexpr double kHeight = 2.6;
+constexpr double kCorridorWidth = 2.4;
+constexpr double kCorridorLength = 30.0;
+constexpr double kCorridorHeight = 2.6;
 constexpr double kDoorHeight = 2.05;
 
 /// The doors of one side: their places along y, and how far all of them are set back.
@@ -32,9 +32,9 @@ std::vector<Opening> openingsOf(const Doors& doors, bool mirrored)
     while (from - doors.spacing > 0.3)
         from -= doors.spacing;
     std::vector<Opening> openings;
-    for (; from + doors.width < kLength - 0.3; from += doors.spacing) {
+    for (; from + doors.width < kCorridorLength - 0.3; from += doors.spacing) {
         if (mirrored)
-            openings.push_back({kLength - from - doors.width, kLength - from, 0.0, kDoorHeight});
+            openings.push_back({kCorridorLength - from - doors.width, kCorridorLength - from, 0.0, kDoorHeight});
         else
             openings.push_back({from, from + doors.width, 0.0, kDoorHeight});
     }
@@ -57,7 +57,8 @@ Scene makeCorridor(std::uint64_t seed)
 {
     Random random(seed);
     SensorPose pose;
-    pose.position = {0.5 * kWidth + random.uniform(-0.3, 0.3), random.uniform(14.5, 15.5), random.uniform(0.9, 1.1)};
+    pose.position = {0.5 * kCorridorWidth + random.uniform(-0.3, 0.3), random.uniform(14.5, 15.5),
+                     random.uniform(0.9, 1.1)};
     pose.yaw = degrees(random.uniform(-10.0, 10.0));
 
     // Doors of both sides never stand exactly opposite, so that no two jambs nearly line up across the corridor.
@@ -72,12 +73,12 @@ Scene makeCorridor(std::uint64_t seed)
 
     SceneBuilder room("corridor");
     // The floor reaches under the doors.
-    room.level("floor", 0.0, {-0.1, 0.0}, {kWidth + 0.1, kLength});
-    room.level("ceiling", kHeight, {0.0, 0.0}, {kWidth, kLength});
-    addSide(room, "right", {{kWidth, 0.0}, {kWidth, kLength}, 0.0, kHeight}, right);
-    addSide(room, "left", {{0.0, kLength}, {0.0, 0.0}, 0.0, kHeight}, left);
-    room.wall("end wall", {{kWidth, kLength}, {0.0, kLength}, 0.0, kHeight});
-    room.wall("back wall", {{0.0, 0.0}, {kWidth, 0.0}, 0.0, kHeight});
+    room.level("floor", 0.0, {-0.1, 0.0}, {kCorridorWidth + 0.1, kCorridorLength});
+    room.level("ceiling", kCorridorHeight, {0.0, 0.0}, {kCorridorWidth, kCorridorLength});
+    addSide(room, "right", {{kCorridorWidth, 0.0}, {kCorridorWidth, kCorridorLength}, 0.0, kCorridorHeight}, right);
+    addSide(room, "left", {{0.0, kCorridorLength}, {0.0, 0.0}, 0.0, kCorridorHeight}, left);
+    room.wall("end wall", {{kCorridorWidth, kCorridorLength}, {0.0, kCorridorLength}, 0.0, kCorridorHeight});
+    room.wall("back wall", {{0.0, 0.0}, {kCorridorWidth, 0.0}, 0.0, kCorridorHeight});
     return room.build(pose);
 }
 

@@ -14,8 +14,8 @@ namespace planewright {
 
 namespace {
 
-constexpr double kWidth = 20.0;
-constexpr double kLength = 25.0;
+constexpr double kHallWidth = 20.0;
+constexpr double kHallLength = 25.0;
 
 /// Half a pillar that stands out of a side wall, whose room side is +x or −x of it.
 void addPilaster(SceneBuilder& hall, const std::string& name, double wallX, double y, const Eigen::Vector2d& size,
@@ -39,12 +39,12 @@ Scene makeHall(std::uint64_t seed)
     pose.yaw = degrees(random.uniform(-10.0, 10.0));
 
     SceneBuilder hall("hall");
-    hall.level("floor", 0.0, {0.0, 0.0}, {kWidth, kLength});
-    hall.level("ceiling", height, {0.0, 0.0}, {kWidth, kLength});
-    hall.wall("right wall", {{kWidth, 0.0}, {kWidth, kLength}, 0.0, height});
-    hall.wall("end wall", {{kWidth, kLength}, {0.0, kLength}, 0.0, height});
-    hall.wall("left wall", {{0.0, kLength}, {0.0, 0.0}, 0.0, height});
-    hall.wall("back wall", {{0.0, 0.0}, {kWidth, 0.0}, 0.0, height});
+    hall.level("floor", 0.0, {0.0, 0.0}, {kHallWidth, kHallLength});
+    hall.level("ceiling", height, {0.0, 0.0}, {kHallWidth, kHallLength});
+    hall.wall("right wall", {{kHallWidth, 0.0}, {kHallWidth, kHallLength}, 0.0, height});
+    hall.wall("end wall", {{kHallWidth, kHallLength}, {0.0, kHallLength}, 0.0, height});
+    hall.wall("left wall", {{0.0, kHallLength}, {0.0, 0.0}, 0.0, height});
+    hall.wall("back wall", {{0.0, 0.0}, {kHallWidth, 0.0}, 0.0, height});
 
     // Rows: the faces of pillars in a row are coplanar, as they are in buildings.
     const double side = random.uniform(0.7, 0.9);
@@ -59,7 +59,7 @@ Scene makeHall(std::uint64_t seed)
     const Eigen::Vector2d pilaster(random.uniform(0.35, 0.5), side);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         addPilaster(hall, "left pilaster " + std::to_string(i + 1), 0.0, rows[i], pilaster, height);
-        addPilaster(hall, "right pilaster " + std::to_string(i + 1), kWidth, rows[i], pilaster, height);
+        addPilaster(hall, "right pilaster " + std::to_string(i + 1), kHallWidth, rows[i], pilaster, height);
     }
 
     // Free-standing partitions, thin enough to be one plane; the first faces the sensor, the others stand askew.

@@ -22,7 +22,7 @@ constexpr ClockSync::Time kSlack = 200us;
 constexpr ClockSync::Time kShortestSpan = 2s;
 /// More than any resonator that USB works with.
 constexpr double kLargestDrift = 0.01;
-constexpr std::chrono::microseconds kFarthest = 10min;
+constexpr std::chrono::microseconds kLongestStray = 10min;
 /// Beyond this a stamp is no time since a start, and sums of nanoseconds would overflow.
 constexpr std::chrono::microseconds kLatest = std::chrono::hours{24 * 365 * 100};
 
@@ -53,7 +53,7 @@ std::optional<ClockSync::Time> ClockSync::toHost(std::uint64_t boardUs) const
     if (best_.empty() || boardUs > static_cast<std::uint64_t>(kLatest.count()))
         return std::nullopt;
     const Time board = std::chrono::microseconds{static_cast<std::int64_t>(boardUs)};
-    if (std::chrono::abs(board - best_.back().board) > kFarthest)
+    if (std::chrono::abs(board - best_.back().board) > kLongestStray)
         return std::nullopt;
     const double sinceReference = static_cast<double>((board - reference_).count());
     return board + offset_ + Time{std::llround(slope_ * sinceReference)};

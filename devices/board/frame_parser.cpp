@@ -14,7 +14,7 @@ namespace {
 /// Events are numbered on a ring of this many.
 constexpr unsigned kEventNumbers = 0x8000;
 /// More than this many cannot have been lost: the board has begun to count anew.
-constexpr unsigned kFarthest = kEventNumbers / 2;
+constexpr unsigned kMostAhead = kEventNumbers / 2;
 
 }  // namespace
 
@@ -81,7 +81,7 @@ bool FrameParser::countEvent(const Frame& frame)
         ++counters_.repeatedEvents;
         return false;
     }
-    if (ahead < kFarthest)
+    if (ahead < kMostAhead)
         counters_.lostEvents += ahead;
     nextEvent_ = static_cast<std::uint16_t>(kFirstEvent | ((frame.seq + 1U) & (kEventNumbers - 1)));
     return true;

@@ -18,10 +18,10 @@ constexpr std::uint16_t kServoModel = 64;
 constexpr std::uint32_t kTickHz = 2'000'000;
 constexpr std::uint32_t kSpanMdeg = 300'000;
 constexpr std::uint8_t kResetByWatchdog = 3;
-constexpr int kSupply = 14'800;    // [mV]
-constexpr int kLowSupply = 9'000;  // [mV]
-constexpr int kWarm = 38;          // [°C]
-constexpr int kHot = 82;           // [°C]
+constexpr std::uint16_t kSupply = 14'800;    // [mV]
+constexpr std::uint16_t kLowSupply = 9'000;  // [mV]
+constexpr std::int8_t kWarm = 38;            // [°C]
+constexpr std::int8_t kHot = 82;             // [°C]
 constexpr int kOverloadBit = 0x20;
 constexpr std::uint32_t kCapabilities =
     static_cast<std::uint32_t>(Capability::SyncInput) | static_cast<std::uint32_t>(Capability::ContinuousSweep) |

@@ -12,7 +12,7 @@ namespace {
 
 using Strikes = LaserFaultKind::Strikes;
 
-constexpr auto kKinds = std::to_array<LaserFaultKind>({
+constexpr auto kLaserFaults = std::to_array<LaserFaultKind>({
     {"laser-blind", "no beam comes back from then on, as with a covered window", Strikes::Scan},
     {"laser-boot", "the laser starts anew and is silent for three seconds; at step 0 it is just starting",
      Strikes::Scan},
@@ -75,13 +75,13 @@ std::string garbage(Random& random)
 
 std::span<const LaserFaultKind> laserFaultKinds()
 {
-    return kKinds;
+    return kLaserFaults;
 }
 
 Result<void> checkLaserFault(const FaultAt& fault)
 {
     std::string known;
-    for (const LaserFaultKind& kind : kKinds) {
+    for (const LaserFaultKind& kind : kLaserFaults) {
         if (kind.name == fault.kind && fault.step >= 0)
             return {};
         if (kind.name == fault.kind)

@@ -11,7 +11,7 @@ namespace planewright {
 
 namespace {
 
-constexpr auto kKinds = std::to_array<ServoFaultKind>({
+constexpr auto kServoFaults = std::to_array<ServoFaultKind>({
     {ServoFault::Stall, "servo-stall", "Something blocks the shaft; the load rises to all that the servo can."},
     {ServoFault::Frozen, "servo-frozen", "The servo acknowledges every goal and does not move."},
     {ServoFault::Overload, "servo-overload", "The servo reports an overload and turns itself off."},
@@ -39,18 +39,18 @@ constexpr auto kKinds = std::to_array<ServoFaultKind>({
 
 std::span<const ServoFaultKind> servoFaultKinds()
 {
-    return kKinds;
+    return kServoFaults;
 }
 
 Result<std::vector<ServoFaultAt>> readServoFaults(std::span<const FaultAt> faults)
 {
     std::vector<ServoFaultAt> read;
     for (const FaultAt& fault : faults) {
-        const auto found =
-            std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& kind) { return kind.kind == fault.kind; });
-        if (found == kKinds.end()) {
+        const auto found = std::find_if(kServoFaults.begin(), kServoFaults.end(),
+                                        [&](const auto& kind) { return kind.kind == fault.kind; });
+        if (found == kServoFaults.end()) {
             std::string known;
-            for (const ServoFaultKind& kind : kKinds)
+            for (const ServoFaultKind& kind : kServoFaults)
                 known += (known.empty() ? "" : ", ") + std::string{kind.kind};
             return fail(ErrorCode::Usage, "'" + fault.kind + "' is no fault of a servo; known are " + known);
         }

@@ -185,7 +185,7 @@ constexpr DynamixelProtocol kTwo = DynamixelProtocol::Two;
 constexpr double kPotentiometer = degrees(300.0) / 1023.0;
 constexpr double kEncoder = degrees(360.0) / 4096.0;
 
-constexpr auto kKinds = std::to_array<EmulatedServoKind>({
+constexpr auto kServoKinds = std::to_array<EmulatedServoKind>({
     {64, "RX-64", kOne, kRulesRx64, 24, 50, 1023, 512, kPotentiometer, rpm(0.111), rpm(64.0), 148, 1023, 64},
     {12, "AX-12", kOne, kRulesAx12, 24, 50, 1023, 512, kPotentiometer, rpm(0.111), rpm(59.0), 120, 1023, 96},
     {29, "MX-28", kOne, kRulesMx28, 24, 74, 4095, 2048, kEncoder, rpm(0.114), rpm(55.0), 120, 1023, 80},
@@ -196,20 +196,20 @@ constexpr auto kKinds = std::to_array<EmulatedServoKind>({
 
 std::span<const EmulatedServoKind> emulatedServoKinds()
 {
-    return kKinds;
+    return kServoKinds;
 }
 
 const EmulatedServoKind* findEmulatedServoKind(std::uint16_t model)
 {
-    const auto found =
-        std::find_if(kKinds.begin(), kKinds.end(), [&](const EmulatedServoKind& kind) { return kind.model == model; });
-    return found == kKinds.end() ? nullptr : &*found;
+    const auto found = std::find_if(kServoKinds.begin(), kServoKinds.end(),
+                                    [&](const EmulatedServoKind& kind) { return kind.model == model; });
+    return found == kServoKinds.end() ? nullptr : &*found;
 }
 
 std::string knownEmulatedServoKinds()
 {
     std::string text;
-    for (const EmulatedServoKind& kind : kKinds)
+    for (const EmulatedServoKind& kind : kServoKinds)
         text += (text.empty() ? "" : ", ") + std::string{kind.name} + " (" + std::to_string(kind.model) + ")";
     return text;
 }

@@ -19,7 +19,6 @@ constexpr milliseconds kSettle{200};   ///< after the link was opened
 constexpr milliseconds kSilence{150};  ///< without a byte: nothing more comes
 constexpr milliseconds kLongestDrain{2'000};
 constexpr milliseconds kFirstReply{2'000};  ///< a slow host has just found the device
-constexpr milliseconds kReply{500};
 constexpr int kAttempts = 3;
 
 /// One conversation that ends with a laser known and at rest.
@@ -68,7 +67,7 @@ Result<void> Connection::clearLine()
 Result<void> Connection::comeToRest()
 {
     const Time deadline = link_.now() + kScipBootTime;
-    for (Time patience = kFirstReply; link_.now() < deadline; patience = kReply) {
+    for (Time patience = kFirstReply; link_.now() < deadline; patience = kScipReply) {
         const auto quit = link_.ask(kScipQuit, patience, stop_);
         if (!quit)
             return tl::unexpected{quit.error()};
@@ -93,16 +92,16 @@ Result<Connection::Rest> Connection::follow(const ScipReply& quit)
     if (quit.status.size() == 1) {
         if (std::exchange(hasAskedForScip2_, true))
             return tooOld();
-        const auto changed = link_.ask(kScipSpeak2, kReply, stop_);
+        const auto changed = link_.ask(kScipSpeak2, kScipReply, stop_);
         return changed ? Result<Rest>{Rest::AskAgain} : tl::unexpected{changed.error()};
     }
     const ScipVerdict verdict = scipMeaning(kScipQuit, quit.status, partner_.version).verdict;
     if (quit.status == "0E" && timesInTimeMode_++ < kAttempts) {  // in time mode QT is no request
-        const auto left = link_.ask(kScipTimeModeOff, kReply, stop_);
+        const auto left = link_.ask(kScipTimeModeOff, kScipReply, stop_);
         return left ? Result<Rest>{Rest::AskAgain} : tl::unexpected{left.error()};
     }
     if (verdict == ScipVerdict::Good) {
-        const auto again = link_.ask(kScipQuit, kReply, stop_);
+        const auto again = link_.ask(kScipQuit, kScipReply, stop_);
         if (!again)
             return tl::unexpected{again.error()};
         const auto drained = link_.discard(kSilence, kLongestDrain, stop_);
@@ -111,7 +110,7 @@ Result<Connection::Rest> Connection::follow(const ScipReply& quit)
         return drained->scans ? Rest::AskAgain : Rest::Reached;
     }
     // Whatever else it says, a fault among it: there is time to say something better.
-    const auto waited = link_.discard(kReply, kReply, stop_);
+    const auto waited = link_.discard(kScipReply, kScipReply, stop_);
     if (!waited)
         return tl::unexpected{waited.error()};
     if (verdict == ScipVerdict::Malfunction && !std::exchange(hasReset_, true)) {
@@ -127,7 +126,7 @@ Result<ScipReply> Connection::askIntact(std::string_view request)
 {
     std::optional<ScipAnswer> last;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        auto reply = link_.ask(request, kReply, stop_);
+        auto reply = link_.ask(request, kScipReply, stop_);
         if (!reply)
             return tl::unexpected{reply.error()};
         if (stop_.stop_requested())

@@ -14,7 +14,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kReply{500};
 constexpr int kScansAfterQuit = 3;
 
 }  // namespace
@@ -192,7 +191,7 @@ Result<void> ScipLaser::stop()
     for (int time = 0; time < 2; ++time) {
         if (Result<void> sent = link_.send(kScipQuit); !sent)
             return sent;
-        const Time deadline = link_.now() + kReply;
+        const Time deadline = link_.now() + kScipReply;
         for (int scans = 0; scans < kScansAfterQuit && link_.now() < deadline;) {
             const auto arrival = link_.next(deadline, {});
             if (!arrival)

@@ -19,6 +19,9 @@
 
 namespace planewright {
 
+/// As long as a reply takes at most.
+inline constexpr std::chrono::milliseconds kScipReply{500};
+
 /// What came, and when its last byte had come.
 struct ScipArrival {
     ScipEvent event;

@@ -12,7 +12,6 @@ namespace {
 using std::chrono::milliseconds;
 using Time = ScipLink::Time;
 
-constexpr milliseconds kReply{500};
 constexpr milliseconds kResetReply{2'000};
 constexpr milliseconds kSilence{150};  ///< without a byte: nothing more comes
 constexpr milliseconds kLongestDrain{2'000};
@@ -39,7 +38,7 @@ Result<ScipReply> askScipPatiently(ScipLink& link, std::string_view request, Sci
     for (;;) {
         if (stop.stop_requested())
             return scipInterrupted(link);
-        auto reply = link.ask(request, kReply, stop);
+        auto reply = link.ask(request, kScipReply, stop);
         if (!reply)
             return tl::unexpected{reply.error()};
         if (stop.stop_requested())
@@ -51,7 +50,7 @@ Result<ScipReply> askScipPatiently(ScipLink& link, std::string_view request, Sci
         tellScipCountdown(link, deadline, progress);
         if (!*reply)
             continue;
-        if (const auto waited = link.discard(kReply, kReply, stop); !waited)
+        if (const auto waited = link.discard(kScipReply, kScipReply, stop); !waited)
             return tl::unexpected{waited.error()};
     }
     return fail(ErrorCode::NoDevice, link.name() + ": the laser has not become ready within " +

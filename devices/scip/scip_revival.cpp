@@ -14,7 +14,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kReply{500};
 constexpr milliseconds kResetReply{2'000};
 constexpr milliseconds kRebootReply{300};  ///< RB counts only where it comes twice within a second
 constexpr milliseconds kAfterReset{150};
@@ -135,7 +134,7 @@ ScipRevival::Time ScipRevival::patience() const
         case Stage::Reboot:
             return kRebootReply;
         default:
-            return kReply;
+            return kScipReply;
     }
 }
 

@@ -11,13 +11,12 @@ namespace planewright {
 
 namespace {
 
-constexpr std::chrono::milliseconds kReply{500};
 constexpr int kQuestions = 8;
 
 /// One question; false where it is not answered. The tag tells its answer from a late one to the question before.
 Result<bool> askTime(ScipLink& link, int number, ScipClock& clock, const std::stop_token& stop)
 {
-    const auto answer = link.ask(withScipTag(kScipTime, "t" + std::to_string(number)), kReply, stop);
+    const auto answer = link.ask(withScipTag(kScipTime, "t" + std::to_string(number)), kScipReply, stop);
     if (!answer)
         return tl::unexpected{answer.error()};
     if (!*answer || (*answer)->status != "00" || (*answer)->lines.size() != 1)
@@ -48,7 +47,7 @@ Result<void> compareScipClocks(ScipLink& link, ScipVersion version, ScipClock& c
     }
     for (int attempt = 0; attempt < 2; ++attempt) {
         // Not to be stopped: a laser left in time mode refuses everything else.
-        const auto off = link.ask(kScipTimeModeOff, kReply, {});
+        const auto off = link.ask(kScipTimeModeOff, kScipReply, {});
         if (!off)
             return tl::unexpected{off.error()};
         if (*off)

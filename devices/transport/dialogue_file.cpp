@@ -151,6 +151,12 @@ std::string dialogueText(std::span<const std::uint8_t> bytes)
     return escaped(bytes, ' ' + 1);
 }
 
+std::string quotedDialogue(std::span<const std::uint8_t> bytes)
+{
+    constexpr std::size_t kMost = 24;
+    return "'" + dialogueText(bytes.first(std::min(bytes.size(), kMost))) + (bytes.size() > kMost ? "…'" : "'");
+}
+
 std::string dialogueLines(const DialogueEvent& event)
 {
     const std::string beginning = timeText(event.at) + " " + markOf(event.kind) + " ";

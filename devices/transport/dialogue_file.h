@@ -50,6 +50,12 @@ inline constexpr std::size_t kLongestDialogueLine = kMostDialogueBytes * 4 + 64;
 /// Bytes as they stand in a dialogue.
 std::string dialogueText(std::span<const std::uint8_t> bytes);
 
+/// The same between quotes, as much as a line of text bears.
+std::string quotedDialogue(std::span<const std::uint8_t> bytes);
+
+/// What to do where a dialogue does not fit what is said now; ends a sentence.
+inline constexpr const char* kRecordAnew = "; the program is not the one that was recorded: record the dialogue anew";
+
 /// The lines of an event, each with its line feed: more than one where there are more than kMostDialogueBytes.
 std::string dialogueLines(const DialogueEvent& event);
 

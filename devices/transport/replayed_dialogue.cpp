@@ -8,19 +8,6 @@
 
 namespace planewright {
 
-namespace {
-
-/// Shows as much of what was said as a line of text bears.
-std::string quoted(std::span<const std::uint8_t> bytes)
-{
-    constexpr std::size_t kMost = 24;
-    return "'" + dialogueText(bytes.first(std::min(bytes.size(), kMost))) + (bytes.size() > kMost ? "…'" : "'");
-}
-
-constexpr const char* kAdvice = "; the program is not the one that was recorded: record the dialogue anew";
-
-}  // namespace
-
 Result<std::unique_ptr<ReplayedDialogue>> ReplayedDialogue::open(const std::string& path, Pace pace, const Clock& clock)
 {
     Result<DialogueReader> check = DialogueReader::open(path);
@@ -140,7 +127,7 @@ Result<std::span<const std::uint8_t>> ReplayedDialogue::hear(std::span<const std
         return endWith(isMore.error().message);
     if (!*isMore)
         return endWith(host_.place() + ": the dialogue has nothing more from the host, which now says " +
-                       quoted(bytes) + kAdvice);
+                       quotedDialogue(bytes) + kRecordAnew);
     if (expected_->kind == DialogueEvent::Kind::Lost)
         return endAtLoss(host_, *expected_);
     const auto recorded = std::span{std::as_const(expected_->bytes)}.subspan(said_);
@@ -148,9 +135,9 @@ Result<std::span<const std::uint8_t>> ReplayedDialogue::hear(std::span<const std
     const auto same =
         static_cast<std::size_t>(std::mismatch(said.begin(), said.end(), recorded.begin()).first - said.begin());
     if (same < said.size())
-        return endWith(host_.place() + ": the host said " + quoted(recorded.subspan(same)) + " and now says " +
-                       quoted(bytes.subspan(same)) + ", from byte " + std::to_string(said_ + same + 1) + " on" +
-                       kAdvice);
+        return endWith(host_.place() + ": the host said " + quotedDialogue(recorded.subspan(same)) + " and now says " +
+                       quotedDialogue(bytes.subspan(same)) + ", from byte " + std::to_string(said_ + same + 1) + " on" +
+                       kRecordAnew);
     said_ += said.size();
     saidInAll_ += said.size();
     if (said_ == expected_->bytes.size())

@@ -10,13 +10,6 @@ namespace planewright {
 
 namespace {
 
-/// As much of what was said as a line of text bears.
-std::string quoted(std::span<const std::uint8_t> bytes)
-{
-    constexpr std::size_t kMost = 24;
-    return "'" + dialogueText(bytes.first(std::min(bytes.size(), kMost))) + (bytes.size() > kMost ? "…'" : "'");
-}
-
 std::string inSeconds(std::chrono::nanoseconds time)
 {
     const auto milliseconds = std::chrono::round<std::chrono::milliseconds>(time).count();
@@ -24,8 +17,6 @@ std::string inSeconds(std::chrono::nanoseconds time)
     text.insert(0, text.size() < 4 ? 4 - text.size() : 0, '0');
     return text.insert(text.size() - 3, ".") + " s";
 }
-
-constexpr const char* kAdvice = "; the program is not the one that was recorded: record the dialogue anew";
 
 }  // namespace
 
@@ -142,8 +133,8 @@ Result<void> ReplayedTalk::write(std::span<const std::uint8_t> bytes, Time /*dea
     } else if (!repeat(meaning)) {
         const bool isOver = said_ == messages_.size();
         return endWith("after " + inSeconds(isOver ? Time{0} : messages_[said_].at) + " the host said " +
-                       (isOver ? std::string{"nothing more"} : quoted(messages_[said_].bytes)) + " and now says " +
-                       quoted(bytes) + kAdvice);
+                       (isOver ? std::string{"nothing more"} : quotedDialogue(messages_[said_].bytes)) +
+                       " and now says " + quotedDialogue(bytes) + kRecordAnew);
     }
     changed_.notify_all();
     return {};

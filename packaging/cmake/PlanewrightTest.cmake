@@ -7,9 +7,13 @@ foreach(label IN ITEMS app architecture core devices threads ui)
     add_custom_target(tests_${label})
 endforeach()
 
+# What is tested is compiled as users have it; the tests themselves run once and are compiled as fast as can be.
+set(quick_to_compile "$<$<CONFIG:Release>:-O1>")
+
 planewright_headers(test_headers
     LIBRARIES Qt6::Core Eigen3::Eigen
     HEADERS <QtCore> <Eigen/Geometry> <functional> <map> <optional> <sstream> <string> <vector>)
+target_compile_options(test_headers PRIVATE ${quick_to_compile})
 
 # planewright_test(<target> SOURCES <files> LIBRARIES <targets> [THREADS] [RUN_BY <program> <arguments>]): one QtTest
 # executable, run by CTest without a display.
@@ -25,6 +29,7 @@ function(planewright_test target)
     planewright_moc_tests(${target} ${arg_SOURCES})
     target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} Qt6::Test project_options)
     target_compile_definitions(${target} PRIVATE PLANEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_compile_options(${target} PRIVATE ${quick_to_compile})
     planewright_reuse_headers(test_headers ${target})
     add_test(NAME ${target} COMMAND ${arg_RUN_BY} $<TARGET_FILE:${target}>)
     planewright_isolate_test(${target})

@@ -4,17 +4,12 @@
 #include "ui/common/device_setup.h"
 
 #include <array>
-#include <charconv>
+
+#include "core/formats/number_text.h"
 
 namespace planewright {
 
 namespace {
-
-std::string plain(double number)
-{
-    char text[64];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 
 struct Limit {
     const char* key;
@@ -39,7 +34,7 @@ std::string tiltUnitAddress(const DeviceSetup& setup)
             address += '?';
         else if (address.back() != '?')
             address += '&';
-        address += limit.key + plain(value);
+        address += limit.key + exactNumber(value);
     }
     return address;
 }

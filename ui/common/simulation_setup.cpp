@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/formats/number_text.h"
 #include "core/formats/recording_csv.h"
 #include "core/types/angle.h"
 #include "core/types/angle_range.h"
@@ -25,12 +26,6 @@ std::string grouped(std::int64_t number)
     for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3)
         text.insert(static_cast<std::size_t>(at), ",");
     return text;
-}
-
-std::string plain(double number)
-{
-    char text[64];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
 /// Seconds with one digit, minutes above two of them.
@@ -102,7 +97,7 @@ Result<AcquisitionSettings> acquisitionWith(const DeviceSetup& setup)
 
 std::string addressOf(const SimulationSetup& setup)
 {
-    return "sim:" + setup.scene + "?seed=" + std::to_string(setup.seed) + "&speed=" + plain(setup.speed);
+    return "sim:" + setup.scene + "?seed=" + std::to_string(setup.seed) + "&speed=" + exactNumber(setup.speed);
 }
 
 std::string scanSizeText(const AcquisitionSettings& settings)

@@ -16,8 +16,8 @@
 namespace planewright {
 
 namespace {
-constexpr QSize kSize{520, 360};  // [px]
-constexpr int kRowHeight = 28;    // [px]
+constexpr QSize kSize{520, 360};    // [px]
+constexpr int kCommandHeight = 28;  // [px]
 }  // namespace
 
 CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* parent)
@@ -70,7 +70,7 @@ void CommandPalette::fill()
             text += QStringLiteral("    ") + listed.keys;
         auto* item = new QListWidgetItem(text, list_);
         item->setData(Qt::UserRole, static_cast<int>(hit.place));
-        item->setSizeHint({0, std::max(kRowHeight, fontMetrics().height() + 8)});
+        item->setSizeHint({0, std::max(kCommandHeight, fontMetrics().height() + 8)});
         if (!listed.action->isEnabled()) {
             item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
             item->setToolTip(tr("Not possible now"));

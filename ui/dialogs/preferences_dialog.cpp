@@ -21,8 +21,8 @@
 namespace planewright {
 
 namespace {
-constexpr int kListWidth = 140;  // [px]
-constexpr int kRowHeight = 32;   // [px]
+constexpr int kListWidth = 140;     // [px]
+constexpr int kPageRowHeight = 32;  // [px]
 }  // namespace
 
 PreferencesDialog::PreferencesDialog(Preferences preferences, const PreferencesContext& context, QWidget* parent)
@@ -82,7 +82,7 @@ PreferencesDialog::PreferencesDialog(Preferences preferences, const PreferencesC
 void PreferencesDialog::addTab(QWidget* page, const QString& title)
 {
     auto* item = new QListWidgetItem(title, list_);
-    item->setSizeHint({0, std::max(kRowHeight, fontMetrics().height() + 12)});
+    item->setSizeHint({0, std::max(kPageRowHeight, fontMetrics().height() + 12)});
     stack_->addWidget(page);
 }
 

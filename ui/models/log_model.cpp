@@ -12,7 +12,7 @@ namespace planewright {
 
 namespace {
 
-constexpr std::array<FilterKey, 3> kKeys{{
+constexpr std::array<FilterKey, 3> kLogKeys{{
     {"level", FilterKey::Kind::Text, static_cast<int>(LogColumn::Level)},
     {"source", FilterKey::Kind::Text, static_cast<int>(LogColumn::Source)},
     {"message", FilterKey::Kind::Text, static_cast<int>(LogColumn::Message)},
@@ -43,7 +43,7 @@ QString cellText(const LogEntry& entry, LogColumn column)
 
 std::span<const FilterKey> logFilterKeys()
 {
-    return kKeys;
+    return kLogKeys;
 }
 
 LogModel::LogModel(int mostLines, QObject* parent) : QAbstractTableModel(parent), mostLines_(mostLines) {}

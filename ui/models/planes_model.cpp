@@ -23,7 +23,7 @@ constexpr int column(PlaneColumn column)
     return static_cast<int>(column);
 }
 
-constexpr std::array<FilterKey, 22> kKeys{{
+constexpr std::array<FilterKey, 22> kPlaneKeys{{
     {"id", Kind::Number, column(PlaneColumn::Id)},
     {"name", Kind::Text, column(PlaneColumn::Name)},
     {"class", Kind::Text, column(PlaneColumn::Class)},
@@ -66,7 +66,7 @@ bool isSameRow(const ShownPlane& a, const ShownPlane& b, bool sameScan)
 
 std::span<const FilterKey> planeFilterKeys()
 {
-    return kKeys;
+    return kPlaneKeys;
 }
 
 PlanesModel::PlanesModel(QObject* parent) : QAbstractTableModel(parent) {}

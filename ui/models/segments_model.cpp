@@ -23,7 +23,7 @@ constexpr int column(SegmentColumn column)
     return static_cast<int>(column);
 }
 
-constexpr std::array<FilterKey, 7> kKeys{{
+constexpr std::array<FilterKey, 7> kSegmentKeys{{
     {"step", Kind::Number, column(SegmentColumn::Step)},
     {"state", Kind::Text, column(SegmentColumn::State)},
     {"plane", Kind::Number, column(SegmentColumn::Plane)},
@@ -64,7 +64,7 @@ QString pointText(const Eigen::Vector3d& point, const LengthStyle& style)
 
 std::span<const FilterKey> segmentFilterKeys()
 {
-    return kKeys;
+    return kSegmentKeys;
 }
 
 SegmentsModel::SegmentsModel(QObject* parent) : QAbstractTableModel(parent), firstRows_{0} {}

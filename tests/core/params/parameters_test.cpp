@@ -3,9 +3,12 @@
 
 #include "core/params/parameters.h"
 
+#include <tuple>
 #include <vector>
 
 #include <QtTest>
+
+#include "core/params/parameter_rows.h"
 
 namespace planewright {
 
@@ -16,7 +19,7 @@ template <int kLowest>
 struct OneRow {
     int value = 5;
 
-    static constexpr auto describe()
+    friend constexpr auto rowsOf(const OneRow& /*part*/)
     {
         return std::tuple{Parameter{"part.value", &OneRow::value, Unit::Count, Range{kLowest, 10.0}, "", "A number."}};
     }

@@ -280,15 +280,16 @@ void NoddingSourceTest::aPauseHoldsTheHeadAndLosesNoSlice()
     QVERIFY(scanner->pause().has_value());
     std::optional<double> held;
     double moved = 0.0;
+    bool resumed = false;
     onRead = [&] {
         const std::chrono::nanoseconds now = emulated.clock().now();
-        if (now < paused + 200ms)
+        if (resumed || now < paused + 200ms)
             return;
         held = held.value_or(emulated.rig().pitchAt(now));
         moved = std::max(moved, turned(emulated, *held));
         if (now < paused + 2s)
             return;
-        onRead = nullptr;
+        resumed = true;
         QVERIFY(scanner->resume().has_value());
     };
     const auto slices = takeAll(*scanner);
