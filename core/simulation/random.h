@@ -8,7 +8,8 @@
 
 namespace planewright {
 
-/// Random numbers that are the same on every build: the distributions of the standard library are not.
+/// Random numbers that are the same on every build: the distributions of the standard library are not. Neither is the
+/// order in which arguments in parentheses are made: a call has one of them.
 class Random {
 public:
     /// A stream of its own for every seed and number, so that slices do not depend on one another.

@@ -90,7 +90,9 @@ Scene makeClutter(std::uint64_t seed)
     Places places(random, pose.position.head<2>());
     const int boxes = random.integer(11, 14);
     for (int i = 0; i < boxes; ++i) {
-        const Eigen::Vector3d size(random.uniform(0.25, 0.7), random.uniform(0.25, 0.6), random.uniform(0.2, 1.1));
+        const double height = random.uniform(0.2, 1.1);
+        const double depth = random.uniform(0.25, 0.6);
+        const Eigen::Vector3d size(random.uniform(0.25, 0.7), depth, height);
         const Eigen::Vector2d at = places.next(0.5 * std::hypot(size.x(), size.y()));
         const std::string name = "box " + std::to_string(i + 1);
         const double yaw = random.uniform(0.0, degrees(90.0));

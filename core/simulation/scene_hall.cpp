@@ -65,7 +65,8 @@ Scene makeHall(std::uint64_t seed)
     // Free-standing partitions, thin enough to be one plane; the first faces the sensor, the others stand askew.
     const int partitions = random.integer(1, 3);
     for (int i = 0; i < partitions; ++i) {
-        const Eigen::Vector2d middle(6.5 + 3.5 * i + random.uniform(-0.4, 0.4), random.uniform(9.5, 11.0));
+        const double ahead = random.uniform(9.5, 11.0);
+        const Eigen::Vector2d middle(6.5 + 3.5 * i + random.uniform(-0.4, 0.4), ahead);
         const double turn = i == 0 ? 0.0 : degrees(random.uniform(15.0, 35.0));
         const Eigen::Vector2d half = Eigen::Vector2d(std::cos(turn), std::sin(turn)) * random.uniform(0.9, 1.2);
         hall.wall("partition " + std::to_string(i + 1), {middle - half, middle + half, 0.0, random.uniform(1.5, 1.9)});

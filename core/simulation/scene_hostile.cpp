@@ -65,14 +65,17 @@ void addLimits(SceneBuilder& yard, Random& random)
     yard.wall("as far as it sees", {{29.8, 2.0}, {29.9, 8.0}, -1.0, 3.0});
     yard.wall("farther than it sees", {{30.5, 8.0}, {30.5, 9.0}, -1.0, 3.0});
     for (int i = 0; i < 12; ++i) {
-        const Eigen::Vector3d at(random.uniform(2.0, 5.0), random.uniform(1.0, 5.0), random.uniform(-0.8, 1.5));
+        const double up = random.uniform(-0.8, 1.5);
+        const double ahead = random.uniform(1.0, 5.0);
+        const Eigen::Vector3d at(random.uniform(2.0, 5.0), ahead, up);
         const double yaw = random.uniform(0.0, degrees(180.0));
         yard.rectangle("chip " + std::to_string(i + 1), at, 0.03 * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0.0),
                        {0.0, 0.0, 0.03});
     }
-    for (int i = 0; i < 8; ++i)
-        yard.pole({random.uniform(-5.0, 5.0), random.uniform(1.5, 6.0), -1.0}, {0.0, 0.0, 3.0},
-                  random.uniform(0.003, 0.008));
+    for (int i = 0; i < 8; ++i) {
+        const double radius = random.uniform(0.003, 0.008);
+        yard.pole({random.uniform(-5.0, 5.0), random.uniform(1.5, 6.0), -1.0}, {0.0, 0.0, 3.0}, radius);
+    }
 }
 
 }  // namespace

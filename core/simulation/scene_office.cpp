@@ -116,8 +116,11 @@ Scene makeOffice(std::uint64_t seed)
 
     const int boxes = random.integer(2, 3);
     for (int i = 0; i < boxes; ++i) {
-        const Eigen::Vector2d at(0.9 + 1.4 * i + random.uniform(-0.2, 0.2), random.uniform(2.2, 2.6));
-        const Eigen::Vector3d boxSize(random.uniform(0.35, 0.6), random.uniform(0.3, 0.5), random.uniform(0.25, 0.5));
+        const double ahead = random.uniform(2.2, 2.6);
+        const Eigen::Vector2d at(0.9 + 1.4 * i + random.uniform(-0.2, 0.2), ahead);
+        const double height = random.uniform(0.25, 0.5);
+        const double depth = random.uniform(0.3, 0.5);
+        const Eigen::Vector3d boxSize(random.uniform(0.35, 0.6), depth, height);
         room.box("box " + std::to_string(i + 1), {at, boxSize, 0.0, random.uniform(-0.7, 0.7)});
     }
     return room.build(pose);

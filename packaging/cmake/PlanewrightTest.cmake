@@ -7,39 +7,47 @@ foreach(label IN ITEMS app architecture core devices threads ui)
     add_custom_target(tests_${label})
 endforeach()
 
-# What is tested is compiled as users have it; the tests themselves run once and are compiled as fast as can be.
-set(quick_to_compile "$<$<CONFIG:Release>:-O1>")
-
 planewright_headers(test_headers
     LIBRARIES Qt6::Core Eigen3::Eigen
     HEADERS <QtCore> <Eigen/Geometry> <functional> <map> <optional> <sstream> <string> <vector>)
-target_compile_options(test_headers PRIVATE ${quick_to_compile})
 
-# planewright_test(<target> SOURCES <files> LIBRARIES <targets> [THREADS] [RUN_BY <program> <arguments>]): one QtTest
-# executable, run by CTest without a display.
+add_library(test_program STATIC "${PROJECT_SOURCE_DIR}/tests/test_program.cpp")
+target_link_libraries(test_program PRIVATE Qt6::Test project_options)
+
+# planewright_tests(<program> SOURCES <files> LIBRARIES <targets> [THREADS] [RUN_BY <program> <arguments>]): a program of
+# QtTest classes, one for each source x_test.cpp; each is a test of CTest, x_test, and runs in a process of its own without
+# a display. The target x_test builds its program.
 #
 # A test sees no settings of the person who runs it: HOME, the XDG folders and TMPDIR are folders of its own in the build
 # tree. It carries the name of its top-level folder under tests/ as CTest label, and is built by the target
 # tests_<label>: tests_core builds the tests of core and no others. THREADS adds the label `threads`, for tests of threads
 # without Qt outside core and devices, which the thread sanitizer is to see. RUN_BY is a program that runs the test, whose
-# path it gets as its last argument. PLANEWRIGHT_SOURCE_DIR is the top of the source tree, as a string literal.
-function(planewright_test target)
+# path and name it gets as its last arguments. PLANEWRIGHT_SOURCE_DIR is the top of the source tree, as a string literal.
+function(planewright_tests program)
     cmake_parse_arguments(PARSE_ARGV 1 arg "THREADS" "" "SOURCES;LIBRARIES;RUN_BY")
-    add_executable(${target} ${arg_SOURCES})
-    planewright_moc_tests(${target} ${arg_SOURCES})
-    target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} Qt6::Test project_options)
-    target_compile_definitions(${target} PRIVATE PLANEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    target_compile_options(${target} PRIVATE ${quick_to_compile})
-    planewright_reuse_headers(test_headers ${target})
-    add_test(NAME ${target} COMMAND ${arg_RUN_BY} $<TARGET_FILE:${target}>)
-    planewright_isolate_test(${target})
+    add_executable(${program} ${arg_SOURCES})
+    planewright_moc_tests(${program} ${arg_SOURCES})
+    target_link_libraries(${program} PRIVATE test_program ${arg_LIBRARIES} Qt6::Test project_options)
+    target_compile_definitions(${program} PRIVATE PLANEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    planewright_reuse_headers(test_headers ${program})
 
-    if(arg_THREADS)
-        set_property(TEST ${target} APPEND PROPERTY LABELS threads)
-    endif()
-    get_property(labels TEST ${target} PROPERTY LABELS)
-    foreach(label IN LISTS labels)
-        add_dependencies(tests_${label} ${target})
+    foreach(source IN LISTS arg_SOURCES)
+        cmake_path(GET source STEM test)
+        if(NOT test MATCHES "_test$")
+            continue()
+        endif()
+        if(NOT TARGET ${test})
+            add_custom_target(${test} DEPENDS ${program})
+        endif()
+        add_test(NAME ${test} COMMAND ${arg_RUN_BY} $<TARGET_FILE:${program}> ${test})
+        planewright_isolate_test(${test})
+        if(arg_THREADS)
+            set_property(TEST ${test} APPEND PROPERTY LABELS threads)
+        endif()
+        get_property(labels TEST ${test} PROPERTY LABELS)
+        foreach(label IN LISTS labels)
+            add_dependencies(tests_${label} ${program})
+        endforeach()
     endforeach()
 endfunction()
 

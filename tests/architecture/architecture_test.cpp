@@ -12,6 +12,7 @@
 #include "tests/architecture/layout_check.h"
 #include "tests/architecture/rooms.h"
 #include "tests/architecture/source_text.h"
+#include "tests/test_program.h"
 
 namespace planewright::architecture {
 
@@ -408,5 +409,5 @@ void ArchitectureTest::aLongSourceIsFound()
 
 }  // namespace planewright::architecture
 
-QTEST_GUILESS_MAIN(planewright::architecture::ArchitectureTest)
+PLANEWRIGHT_TEST(planewright::architecture::ArchitectureTest)
 #include "architecture_test.moc"

@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright::architecture {
 
 /// packaging/check-packages against this build, with lists that are wrong on purpose.
@@ -81,5 +83,5 @@ void PackageCheckTest::aListedPackageThatNothingUsesIsReported()
 
 }  // namespace planewright::architecture
 
-QTEST_GUILESS_MAIN(planewright::architecture::PackageCheckTest)
+PLANEWRIGHT_TEST(planewright::architecture::PackageCheckTest)
 #include "package_check_test.moc"

@@ -8,6 +8,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class DeviceAddressTest : public QObject {
@@ -269,5 +271,5 @@ void DeviceAddressTest::whatIsWrongIsNamed()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DeviceAddressTest)
+PLANEWRIGHT_TEST(planewright::DeviceAddressTest)
 #include "device_address_test.moc"

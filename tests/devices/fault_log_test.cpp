@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 using namespace std::chrono_literals;
@@ -79,5 +81,5 @@ void FaultLogTest::longBytesAreCut()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::FaultLogTest)
+PLANEWRIGHT_TEST(planewright::FaultLogTest)
 #include "fault_log_test.moc"

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -246,5 +247,5 @@ void PacerTest::theRealClockIsWaitedForAndWoken()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PacerTest)
+PLANEWRIGHT_TEST(planewright::PacerTest)
 #include "pacer_test.moc"

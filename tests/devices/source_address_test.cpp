@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class SourceAddressTest : public QObject {
@@ -139,5 +141,5 @@ void SourceAddressTest::whatIsWrongIsNamed()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SourceAddressTest)
+PLANEWRIGHT_TEST(planewright::SourceAddressTest)
 #include "source_address_test.moc"

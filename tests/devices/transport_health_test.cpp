@@ -11,6 +11,7 @@
 #include "tests/devices/emulated/board_host.h"
 #include "tests/devices/emulated/laser_rig.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -120,5 +121,5 @@ void TransportHealthTest::aBoardTellsIt()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::TransportHealthTest)
+PLANEWRIGHT_TEST(planewright::TransportHealthTest)
 #include "transport_health_test.moc"

@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class TourTest : public QObject {
@@ -83,5 +85,5 @@ void TourTest::callOutsLieBesideWhatTheyPointAt()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::TourTest)
+PLANEWRIGHT_GUI_TEST(planewright::TourTest)
 #include "tour_test.moc"

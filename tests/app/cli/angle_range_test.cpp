@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -82,5 +83,5 @@ void AngleRangeTest::refusesWhatIsNoRange()
     QVERIFY(range.error().message.starts_with("--tilt: '" + text.toStdString() + "' "));
 }
 
-QTEST_GUILESS_MAIN(AngleRangeTest)
+PLANEWRIGHT_TEST(AngleRangeTest)
 #include "angle_range_test.moc"

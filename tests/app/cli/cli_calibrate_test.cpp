@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliCalibrateTest : public QObject {
     Q_OBJECT
@@ -217,5 +218,5 @@ void CliCalibrateTest::aDamagedRecordingIsUsedInPart()
     QVERIFY(!bytesOf(folder.filePath("mine.json")).isNull());
 }
 
-QTEST_GUILESS_MAIN(CliCalibrateTest)
+PLANEWRIGHT_TEST(CliCalibrateTest)
 #include "cli_calibrate_test.moc"

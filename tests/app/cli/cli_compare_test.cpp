@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 namespace {
 
@@ -177,5 +178,5 @@ void CliCompareTest::malformedPlanesNameTheirLine()
     QVERIFY2(run.err.startsWith("planewright-cli: bad.csv: line 3, column 4"), run.err);
 }
 
-QTEST_GUILESS_MAIN(CliCompareTest)
+PLANEWRIGHT_TEST(CliCompareTest)
 #include "cli_compare_test.moc"

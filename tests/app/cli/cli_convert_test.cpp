@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliConvertTest : public QObject {
     Q_OBJECT
@@ -106,5 +107,5 @@ void CliConvertTest::ontoItselfIsAnError()
     QCOMPARE(bytesOf(folder.filePath("a.csv")), recording);
 }
 
-QTEST_GUILESS_MAIN(CliConvertTest)
+PLANEWRIGHT_TEST(CliConvertTest)
 #include "cli_convert_test.moc"

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 /// The same recording and parameters give the same bytes.
 class CliDeterminismTest : public QObject {
@@ -67,5 +68,5 @@ void CliDeterminismTest::germanLocaleChangesNothing()
     QCOMPARE(runProgram({"info", path}, {}, german).out, runProgram({"info", path}, {}, english).out);
 }
 
-QTEST_GUILESS_MAIN(CliDeterminismTest)
+PLANEWRIGHT_TEST(CliDeterminismTest)
 #include "cli_determinism_test.moc"

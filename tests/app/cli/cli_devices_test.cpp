@@ -13,6 +13,7 @@
 
 #include "run_program.h"
 #include "tests/app/emulated_rig_process.h"
+#include "tests/test_program.h"
 
 /// Scanning with devices that another process emulates, in real time.
 class CliDevicesTest : public QObject {
@@ -324,5 +325,5 @@ void CliDevicesTest::theRigsLimitsAndLeverArmAreThoseOfTheScan()
     QCOMPARE(infoOf(folder.path())["pitch_axis_offset_m"].toDouble(), 0.0815);
 }
 
-QTEST_GUILESS_MAIN(CliDevicesTest)
+PLANEWRIGHT_TEST(CliDevicesTest)
 #include "cli_devices_test.moc"

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliDrawingsTest : public QObject {
     Q_OBJECT
@@ -68,5 +69,5 @@ void CliDrawingsTest::planWithoutAFloorIsCutAtThePitchAxis()
                                  "pitch axis\n"));
 }
 
-QTEST_GUILESS_MAIN(CliDrawingsTest)
+PLANEWRIGHT_TEST(CliDrawingsTest)
 #include "cli_drawings_test.moc"

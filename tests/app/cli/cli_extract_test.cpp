@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliExtractTest : public QObject {
     Q_OBJECT
@@ -359,5 +360,5 @@ void CliExtractTest::realRecordingsHavePlanes()
     QVERIFY(run.out.count('\n') > 3);
 }
 
-QTEST_GUILESS_MAIN(CliExtractTest)
+PLANEWRIGHT_TEST(CliExtractTest)
 #include "cli_extract_test.moc"

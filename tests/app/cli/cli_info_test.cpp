@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliInfoTest : public QObject {
     Q_OBJECT
@@ -116,5 +117,5 @@ void CliInfoTest::refusesWhatIsNoRegularFile()
     QCOMPARE(QString::fromUtf8(run.err), "planewright-cli: a.csv: " + says + "\n");
 }
 
-QTEST_GUILESS_MAIN(CliInfoTest)
+PLANEWRIGHT_TEST(CliInfoTest)
 #include "cli_info_test.moc"

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliInterruptionTest : public QObject {
     Q_OBJECT
@@ -74,5 +75,5 @@ void CliInterruptionTest::keepsTheOldFile()
     QCOMPARE(bytesOf(folder.filePath("scan.csv")), QByteArray("old"));
 }
 
-QTEST_GUILESS_MAIN(CliInterruptionTest)
+PLANEWRIGHT_TEST(CliInterruptionTest)
 #include "cli_interruption_test.moc"

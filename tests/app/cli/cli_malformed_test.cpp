@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 namespace {
 
@@ -72,5 +73,5 @@ void CliMalformedTest::validateGivesTheExitCode()
     QVERIFY2(QString::fromUtf8(run.out).contains(message), run.out);
 }
 
-QTEST_GUILESS_MAIN(CliMalformedTest)
+PLANEWRIGHT_TEST(CliMalformedTest)
 #include "cli_malformed_test.moc"

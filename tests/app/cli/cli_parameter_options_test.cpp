@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 namespace {
 
@@ -139,5 +140,5 @@ void CliParameterOptionsTest::wrongValuesNameWhatIsAllowed()
     QVERIFY2(QString::fromUtf8(run.err).startsWith("planewright-cli: " + message), run.err);
 }
 
-QTEST_GUILESS_MAIN(CliParameterOptionsTest)
+PLANEWRIGHT_TEST(CliParameterOptionsTest)
 #include "cli_parameter_options_test.moc"

@@ -10,6 +10,7 @@
 #include "core/params/presets.h"
 #include "core/params/registry.h"
 #include "run_program.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -97,5 +98,5 @@ void CliParamsTest::markdownIsThePageOfTheManual()
     QCOMPARE(run.out.toStdString(), parameterManualPage());
 }
 
-QTEST_GUILESS_MAIN(CliParamsTest)
+PLANEWRIGHT_TEST(CliParamsTest)
 #include "cli_params_test.moc"

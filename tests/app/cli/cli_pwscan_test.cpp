@@ -14,6 +14,7 @@
 #include "core/formats/recording_pwscan.h"
 #include "run_program.h"
 #include "tests/core/formats/pwscan_sample.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -215,5 +216,5 @@ void CliPwscanTest::whatLiesBesideABrokenOffRecordingIsNotMixedWithAnother()
     QVERIFY(bytesOf(folder.filePath("b.pwscan")).isNull());
 }
 
-QTEST_GUILESS_MAIN(CliPwscanTest)
+PLANEWRIGHT_TEST(CliPwscanTest)
 #include "cli_pwscan_test.moc"

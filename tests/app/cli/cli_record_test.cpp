@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliRecordTest : public QObject {
     Q_OBJECT
@@ -187,5 +188,5 @@ void CliRecordTest::wrongUsageIsRefusedBeforeAnythingIsWritten()
     QVERIFY(!QFile::exists(folder.filePath("a.pwscan")));
 }
 
-QTEST_GUILESS_MAIN(CliRecordTest)
+PLANEWRIGHT_TEST(CliRecordTest)
 #include "cli_record_test.moc"

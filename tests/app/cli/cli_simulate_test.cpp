@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliSimulateTest : public QObject {
     Q_OBJECT
@@ -172,5 +173,5 @@ void CliSimulateTest::existingRecordingIsKeptWithoutOverwrite()
     QVERIFY(bytesOf(folder.filePath("scan.csv")).startsWith("# format = nodding-laser-csv 1\n"));
 }
 
-QTEST_GUILESS_MAIN(CliSimulateTest)
+PLANEWRIGHT_TEST(CliSimulateTest)
 #include "cli_simulate_test.moc"

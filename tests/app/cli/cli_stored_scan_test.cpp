@@ -21,6 +21,7 @@
 #include "core/simulation/scenes.h"
 #include "run_program.h"
 #include "tests/core/formats/pwscan_sample.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -289,5 +290,5 @@ void CliStoredScanTest::editsOfOtherPlanesAreTold()
                                  "no plane 400\n"));
 }
 
-QTEST_GUILESS_MAIN(CliStoredScanTest)
+PLANEWRIGHT_TEST(CliStoredScanTest)
 #include "cli_stored_scan_test.moc"

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliUsageTest : public QObject {
     Q_OBJECT
@@ -114,5 +115,5 @@ void CliUsageTest::standardOutputThatIsFullIsAnError()
                         "to a file or program that takes it\n"));
 }
 
-QTEST_GUILESS_MAIN(CliUsageTest)
+PLANEWRIGHT_TEST(CliUsageTest)
 #include "cli_usage_test.moc"

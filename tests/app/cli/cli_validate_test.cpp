@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "run_program.h"
+#include "tests/test_program.h"
 
 class CliValidateTest : public QObject {
     Q_OBJECT
@@ -81,5 +82,5 @@ void CliValidateTest::unknownKindIsWrongUsage()
     QCOMPARE(runProgram({"validate", "a.txt"}).code, 2);
 }
 
-QTEST_GUILESS_MAIN(CliValidateTest)
+PLANEWRIGHT_TEST(CliValidateTest)
 #include "cli_validate_test.moc"

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "app/cli/output_files.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -328,5 +329,5 @@ void OutputFileTest::tooManyOutputsAreAnError()
     QCOMPARE(file.error().code, ErrorCode::Usage);
 }
 
-QTEST_GUILESS_MAIN(OutputFileTest)
+PLANEWRIGHT_TEST(OutputFileTest)
 #include "output_file_test.moc"

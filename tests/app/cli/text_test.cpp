@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class TextTest : public QObject {
@@ -36,5 +38,5 @@ void TextTest::tableSetsNumbersToTheRightAndWordsToTheLeft()
     QCOMPARE(table, std::string("id  name\n 7  wall\n12  floor\n"));
 }
 
-QTEST_GUILESS_MAIN(TextTest)
+PLANEWRIGHT_TEST(TextTest)
 #include "text_test.moc"

@@ -9,6 +9,7 @@
 
 #include "app/session/scan_session.h"
 #include "tests/app/session/session_fixture.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -257,5 +258,5 @@ void ScanSessionStatesTest::randomVerbsLeaveNoRecordingOpen()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScanSessionStatesTest)
+PLANEWRIGHT_TEST(planewright::ScanSessionStatesTest)
 #include "scan_session_states_test.moc"

@@ -13,6 +13,7 @@
 #include "core/formats/recording_csv.h"
 #include "core/formats/recording_pwscan.h"
 #include "tests/app/session/session_fixture.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -358,5 +359,5 @@ void ScanSessionTest::theStatusTellsHowTheScanGoesOn()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScanSessionTest)
+PLANEWRIGHT_TEST(planewright::ScanSessionTest)
 #include "scan_session_test.moc"

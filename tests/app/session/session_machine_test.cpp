@@ -8,6 +8,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class SessionMachineTest : public QObject {
@@ -281,5 +283,5 @@ void SessionMachineTest::randomWalksKeepTheRules()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SessionMachineTest)
+PLANEWRIGHT_TEST(planewright::SessionMachineTest)
 #include "session_machine_test.moc"

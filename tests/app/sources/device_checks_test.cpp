@@ -8,6 +8,7 @@
 #include "devices/transport/usb_error.h"
 #include "tests/app/sources/fake_devices.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -173,5 +174,5 @@ void DeviceChecksTest::aStopFailsTheCheckThatRuns()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DeviceChecksTest)
+PLANEWRIGHT_TEST(planewright::DeviceChecksTest)
 #include "device_checks_test.moc"

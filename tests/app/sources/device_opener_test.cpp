@@ -15,6 +15,7 @@
 #include "devices/emulated/emulated_rig.h"
 #include "tests/devices/transport/far_end.h"
 #include "tests/devices/transport/usb_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -210,5 +211,5 @@ void DeviceOpenerTest::aSerialPortThatMayNotBeOpenedHasACure()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DeviceOpenerTest)
+PLANEWRIGHT_TEST(planewright::DeviceOpenerTest)
 #include "device_opener_test.moc"

@@ -7,6 +7,7 @@
 
 #include "tests/app/sources/fake_devices.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -166,5 +167,5 @@ void FoundDevicesTest::whoWasAskedIsRememberedAtOnePort()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::FoundDevicesTest)
+PLANEWRIGHT_TEST(planewright::FoundDevicesTest)
 #include "found_devices_test.moc"

@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class ScanSizeTest : public QObject {
@@ -44,5 +46,5 @@ void ScanSizeTest::pointsAndTimeAreTold()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScanSizeTest)
+PLANEWRIGHT_TEST(planewright::ScanSizeTest)
 #include "scan_size_test.moc"

@@ -7,6 +7,7 @@
 
 #include "tests/app/sources/fake_devices.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -181,5 +182,5 @@ void UnitMotionTest::theEndOfItComesToRest()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::UnitMotionTest)
+PLANEWRIGHT_TEST(planewright::UnitMotionTest)
 #include "unit_motion_test.moc"

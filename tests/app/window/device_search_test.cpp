@@ -8,6 +8,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 /// What is plugged in and pulled out, however often, is found; no change is passed over.
@@ -127,5 +129,5 @@ void DeviceSearchTest::lasersThatWereAskedStayKnown()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DeviceSearchTest)
+PLANEWRIGHT_TEST(planewright::DeviceSearchTest)
 #include "device_search_test.moc"

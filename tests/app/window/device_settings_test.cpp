@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class DeviceSettingsTest : public QObject {
@@ -77,5 +79,5 @@ void DeviceSettingsTest::lasersStayKnown()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DeviceSettingsTest)
+PLANEWRIGHT_TEST(planewright::DeviceSettingsTest)
 #include "device_settings_test.moc"

@@ -11,6 +11,7 @@
 #include "app/window/waiting.h"
 #include "tests/app/emulated_rig_process.h"
 #include "tests/app/window/shown_window.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -204,5 +205,5 @@ void DeviceWindowTest::whoHasAScannerIsShownTheForm()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::DeviceWindowTest)
+PLANEWRIGHT_GUI_TEST(planewright::DeviceWindowTest)
 #include "device_window_test.moc"

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "core/formats/pwscan_writer.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -119,5 +120,5 @@ void EditHistoryTest::editsFromBeforeTheFileGoIntoIt()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EditHistoryTest)
+PLANEWRIGHT_TEST(planewright::EditHistoryTest)
 #include "edit_history_test.moc"

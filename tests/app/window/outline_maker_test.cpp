@@ -7,6 +7,7 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/scene/shown_room.h"
 
 namespace planewright {
@@ -84,5 +85,5 @@ void OutlineMakerTest::whatIsNoLongerWantedIsForgotten()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::OutlineMakerTest)
+PLANEWRIGHT_TEST(planewright::OutlineMakerTest)
 #include "outline_maker_test.moc"

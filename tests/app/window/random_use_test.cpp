@@ -10,6 +10,7 @@
 #include "app/window/waiting.h"
 #include "tests/app/window/random_user.h"
 #include "tests/app/window/shown_window.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -104,5 +105,5 @@ void RandomUseTest::nothingBreaksAndNothingComplains()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::RandomUseTest)
+PLANEWRIGHT_GUI_TEST(planewright::RandomUseTest)
 #include "random_use_test.moc"

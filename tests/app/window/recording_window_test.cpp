@@ -15,6 +15,7 @@
 #include "core/simulation/nodding_scanner.h"
 #include "core/simulation/scenes.h"
 #include "tests/app/window/shown_window.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -255,5 +256,5 @@ void RecordingWindowTest::aCopyOfAProjectHoldsAllOfIt()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::RecordingWindowTest)
+PLANEWRIGHT_GUI_TEST(planewright::RecordingWindowTest)
 #include "recording_window_test.moc"

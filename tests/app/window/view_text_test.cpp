@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class ViewTextTest : public QObject {
@@ -58,5 +60,5 @@ void ViewTextTest::textsThatAreNotWholeGiveNothing()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ViewTextTest)
+PLANEWRIGHT_TEST(planewright::ViewTextTest)
 #include "view_text_test.moc"

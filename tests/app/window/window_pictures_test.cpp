@@ -6,6 +6,7 @@
 
 #include "app/window/screenshot.h"
 #include "tests/app/window/shown_window.h"
+#include "tests/test_program.h"
 #include "tests/ui/view3d/reference_image.h"
 
 namespace planewright {
@@ -65,5 +66,5 @@ void WindowPicturesTest::wholeWindowsAreAsTheyWere()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::WindowPicturesTest)
+PLANEWRIGHT_GUI_TEST(planewright::WindowPicturesTest)
 #include "window_pictures_test.moc"

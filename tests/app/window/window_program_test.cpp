@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 /// The window program as scripts and users start it, without a display.
@@ -214,5 +216,5 @@ void WindowProgramTest::editsCanBeTakenBack()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::WindowProgramTest)
+PLANEWRIGHT_TEST(planewright::WindowProgramTest)
 #include "window_program_test.moc"

@@ -16,6 +16,7 @@
 #include "core/pipeline/apply_edits.h"
 #include "core/pipeline/plane_extractor.h"
 #include "tests/app/window/shown_window.h"
+#include "tests/test_program.h"
 #include "ui/panels/filtered_table.h"
 
 namespace planewright {
@@ -352,5 +353,5 @@ void WindowTest::everyActionHasAWordATipAndAName()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::WindowTest)
+PLANEWRIGHT_GUI_TEST(planewright::WindowTest)
 #include "window_test.moc"

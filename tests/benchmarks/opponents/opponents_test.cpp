@@ -13,6 +13,7 @@
 #include "tests/benchmarks/opponents/labelled_points.h"
 #include "tests/benchmarks/opponents/normal_clusters.h"
 #include "tests/benchmarks/opponents/opponent_run.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -213,5 +214,5 @@ void OpponentsTest::theBallHasNoFavouredDirection()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::OpponentsTest)
+PLANEWRIGHT_TEST(planewright::OpponentsTest)
 #include "opponents_test.moc"

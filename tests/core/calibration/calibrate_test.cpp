@@ -13,6 +13,7 @@
 #include "core/simulation/nodding_scanner.h"
 #include "core/simulation/scene_builder.h"
 #include "tests/core/params/preset_parameters.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -337,5 +338,5 @@ void CalibrateTest::isTheSameEveryTime()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::CalibrateTest)
+PLANEWRIGHT_TEST(planewright::CalibrateTest)
 #include "calibrate_test.moc"

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -39,7 +40,7 @@ struct Room {
 };
 
 const Eigen::Vector3d kFloor{0.0, 0.0, -1.0};
-const Eigen::Vector3d kFront{0.0, 1.0, 0.0};
+const Eigen::Vector3d kAhead{0.0, 1.0, 0.0};
 const Eigen::Vector3d kSide{1.0, 0.0, 0.0};
 
 }  // namespace
@@ -73,7 +74,7 @@ void LevelTest::findsPitchAndRoll()
     QFETCH(double, pitch);
     QFETCH(double, roll);
     const std::vector<std::vector<Eigen::Vector3d>> rooms{
-        {kFloor}, {kFloor, kFront, kSide, -kFront}, {kFront, kSide}, {kFront}};
+        {kFloor}, {kFloor, kAhead, kSide, -kAhead}, {kAhead, kSide}, {kAhead}};
     const Room room(rooms[static_cast<std::size_t>(kind)], degrees(pitch), degrees(roll));
 
     const auto level = findLevel(room.seen, room.planes, degrees(0.1));
@@ -88,7 +89,7 @@ void LevelTest::findsPitchAndRoll()
 
 void LevelTest::slantingPlanesHaveNoSay()
 {
-    const Room room({kFloor, kFront, kSide, {0.0, 0.4, 0.9}, {0.3, 0.5, 0.2}, {0.1, 0.0, 1.0}}, degrees(1.0), 0.0);
+    const Room room({kFloor, kAhead, kSide, {0.0, 0.4, 0.9}, {0.3, 0.5, 0.2}, {0.1, 0.0, 1.0}}, degrees(1.0), 0.0);
 
     const auto level = findLevel(room.seen, room.planes, degrees(0.1));
 
@@ -101,7 +102,7 @@ void LevelTest::slantingPlanesHaveNoSay()
 void LevelTest::planesThatDisagreeMakeItLessSure()
 {
     const double off = std::tan(degrees(0.5));
-    const Room straight({kFloor, kFront, kFloor, kFront}, 0.0, 0.0);
+    const Room straight({kFloor, kAhead, kFloor, kAhead}, 0.0, 0.0);
     const Room crooked({{0.0, off, -1.0}, {0.0, 1.0, off}, {0.0, -off, -1.0}, {0.0, 1.0, -off}}, 0.0, 0.0);
 
     const auto agreed = findLevel(straight.seen, straight.planes, degrees(0.1));
@@ -125,5 +126,5 @@ void LevelTest::withoutPlanesThereIsNone()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::LevelTest)
+PLANEWRIGHT_TEST(planewright::LevelTest)
 #include "level_test.moc"

@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 namespace {
@@ -115,5 +117,5 @@ void ObserveErrorsTest::onlyWhatIsAskedForMoves()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ObserveErrorsTest)
+PLANEWRIGHT_TEST(planewright::ObserveErrorsTest)
 #include "observe_errors_test.moc"

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -320,5 +321,5 @@ void DirectionClustersTest::aChangedClusterIsNoLongerAsPublished()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DirectionClustersTest)
+PLANEWRIGHT_TEST(planewright::DirectionClustersTest)
 #include "direction_clusters_test.moc"

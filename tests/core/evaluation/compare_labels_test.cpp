@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -316,5 +317,5 @@ void CompareLabelsTest::tooManyPlanesAreRefused()
     QCOMPARE(comparison.error().code, ErrorCode::Usage);
 }
 
-QTEST_GUILESS_MAIN(CompareLabelsTest)
+PLANEWRIGHT_TEST(CompareLabelsTest)
 #include "compare_labels_test.moc"

@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 namespace {
@@ -129,5 +131,5 @@ void ComparePlanesTest::tooManyPairsAreRefused()
     QCOMPARE(comparison.error().code, ErrorCode::Usage);
 }
 
-QTEST_GUILESS_MAIN(ComparePlanesTest)
+PLANEWRIGHT_TEST(ComparePlanesTest)
 #include "compare_planes_test.moc"

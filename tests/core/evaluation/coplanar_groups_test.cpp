@@ -8,6 +8,8 @@
 
 #include <QTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 namespace {
@@ -80,5 +82,5 @@ void CoplanarGroupsTest::noPlanesGiveNoGroups()
     QVERIFY(coplanarGroups({}).empty());
 }
 
-QTEST_GUILESS_MAIN(CoplanarGroupsTest)
+PLANEWRIGHT_TEST(CoplanarGroupsTest)
 #include "coplanar_groups_test.moc"

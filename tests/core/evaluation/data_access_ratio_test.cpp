@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class DataAccessRatioTest : public QObject {
@@ -43,5 +45,5 @@ void DataAccessRatioTest::isZeroForAScanWithoutPoints()
     QCOMPARE(dataAccessRatio(0, 0), 0.0);
 }
 
-QTEST_GUILESS_MAIN(DataAccessRatioTest)
+PLANEWRIGHT_TEST(DataAccessRatioTest)
 #include "data_access_ratio_test.moc"

@@ -9,6 +9,8 @@
 
 #include <QTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class LabelOverlapTest : public QObject {
@@ -115,5 +117,5 @@ void LabelOverlapTest::emptyGridsHaveNoRegions()
     QVERIFY(overlap->common.empty());
 }
 
-QTEST_GUILESS_MAIN(LabelOverlapTest)
+PLANEWRIGHT_TEST(LabelOverlapTest)
 #include "label_overlap_test.moc"

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -89,5 +90,5 @@ void PlaneErrorsTest::summaryOfNothingIsZero()
     QCOMPARE(errors.distance.mean, 0.0);
 }
 
-QTEST_GUILESS_MAIN(PlaneErrorsTest)
+PLANEWRIGHT_TEST(PlaneErrorsTest)
 #include "plane_errors_test.moc"

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class EditJsonTest : public QObject {
@@ -139,5 +141,5 @@ void EditJsonTest::namesHaveAtMost120Characters()
     QCOMPARE(QString::fromStdString(name), QString("ü").repeated(120));
 }
 
-QTEST_GUILESS_MAIN(EditJsonTest)
+PLANEWRIGHT_TEST(EditJsonTest)
 #include "edit_json_test.moc"

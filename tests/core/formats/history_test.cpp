@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -125,5 +126,5 @@ void HistoryTest::aFullDiskIsNotSilent()
     QCOMPARE(writeHistoryLine(out, {}, true).error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(HistoryTest)
+PLANEWRIGHT_TEST(HistoryTest)
 #include "history_test.moc"

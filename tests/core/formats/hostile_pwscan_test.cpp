@@ -11,6 +11,7 @@
 #include "core/formats/pwscan_project.h"
 #include "core/formats/recording_pwscan.h"
 #include "pwscan_sample.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -327,5 +328,5 @@ void HostilePwscanTest::hugeValuesAreNotLoaded()
     QVERIFY2(most < 150'000'000, qPrintable(QString::number(most)));
 }
 
-QTEST_GUILESS_MAIN(HostilePwscanTest)
+PLANEWRIGHT_TEST(HostilePwscanTest)
 #include "hostile_pwscan_test.moc"

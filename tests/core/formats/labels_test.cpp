@@ -8,12 +8,13 @@
 #include <QtTest>
 
 #include "sample_scan.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
 namespace {
 
-Result<Labels> read(const std::string& text)
+Result<Labels> readLabelsText(const std::string& text)
 {
     std::istringstream in(text);
     return readLabels(in, "l.txt");
@@ -53,9 +54,9 @@ void LabelsTest::writesALinePerSlice()
 
 void LabelsTest::readsBackWhatWasWritten()
 {
-    QCOMPARE(read("9 -1 12345\n-2 0 1\n").value(), (Labels{{9, -1, 12345}, {-2, 0, 1}}));
-    QCOMPARE(read("2147483647\r\n-1\r\n\r\n").value(), (Labels{{2147483647}, {-1}}));
-    QCOMPARE(read("1 2").value(), (Labels{{1, 2}}));
+    QCOMPARE(readLabelsText("9 -1 12345\n-2 0 1\n").value(), (Labels{{9, -1, 12345}, {-2, 0, 1}}));
+    QCOMPARE(readLabelsText("2147483647\r\n-1\r\n\r\n").value(), (Labels{{2147483647}, {-1}}));
+    QCOMPARE(readLabelsText("1 2").value(), (Labels{{1, 2}}));
 }
 
 void LabelsTest::refusesWhatAreNoLabels_data()
@@ -86,7 +87,7 @@ void LabelsTest::refusesWhatAreNoLabels()
     QFETCH(QByteArray, text);
     QFETCH(QString, message);
 
-    const auto labels = read(text.toStdString());
+    const auto labels = readLabelsText(text.toStdString());
 
     QVERIFY(!labels.has_value());
     QCOMPARE(labels.error().code, ErrorCode::Unreadable);
@@ -99,8 +100,8 @@ void LabelsTest::refusesMoreSlicesThanARecordingHolds()
     for (int slice = 0; slice < kMaxSlices; ++slice)
         text += "0\n";
 
-    QCOMPARE(read(text)->size(), std::size_t(kMaxSlices));
-    QCOMPARE(read(text + "0\n").error().message,
+    QCOMPARE(readLabelsText(text)->size(), std::size_t(kMaxSlices));
+    QCOMPARE(readLabelsText(text + "0\n").error().message,
              std::string("l.txt: line 65537: more labels than a recording has ranges; give the labels of a recording"));
 }
 
@@ -112,5 +113,5 @@ void LabelsTest::aFullDiskIsNotSilent()
     QCOMPARE(writeLabels(out, {{1}}).error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(LabelsTest)
+PLANEWRIGHT_TEST(LabelsTest)
 #include "labels_test.moc"

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "core/formats/recording_csv.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -109,5 +110,5 @@ void MalformedRecordingsTest::validatingFindsTheSameProblem()
     QCOMPARE(found.more, std::size_t(0));
 }
 
-QTEST_GUILESS_MAIN(MalformedRecordingsTest)
+PLANEWRIGHT_TEST(MalformedRecordingsTest)
 #include "malformed_recordings_test.moc"

@@ -11,6 +11,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class NumberTextTest : public QObject {
@@ -87,5 +89,5 @@ void NumberTextTest::doesNotFollowTheLocale()
     QCOMPARE(text, std::string("1234.5"));
 }
 
-QTEST_GUILESS_MAIN(NumberTextTest)
+PLANEWRIGHT_TEST(NumberTextTest)
 #include "number_text_test.moc"

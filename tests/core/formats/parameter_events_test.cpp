@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/params/registry.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -86,5 +87,5 @@ void ParameterEventsTest::whatIsNoPresetIsAnError()
              read.error().message.c_str());
 }
 
-QTEST_GUILESS_MAIN(ParameterEventsTest)
+PLANEWRIGHT_TEST(ParameterEventsTest)
 #include "parameter_events_test.moc"

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "sample_planes.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -27,7 +28,7 @@ std::string textOf(const std::vector<PlaneResult>& planes)
     return done ? out.str() : done.error().message;
 }
 
-Result<std::vector<PlaneRecord>> read(const std::string& text)
+Result<std::vector<PlaneRecord>> readPlanesText(const std::string& text)
 {
     std::istringstream in(text);
     return readPlanesCsv(in, "p.csv");
@@ -112,7 +113,7 @@ void PlanesCsvTest::keepsFormulasOut()
     const std::string text = textOf({knownPlane(0, name.toStdString(), Eigen::Vector3d::UnitZ(), 1.0, 5)});
 
     QVERIFY2(text.ends_with(",," + cell.toStdString() + ",\n"), text.c_str());
-    QCOMPARE(QString::fromStdString(read(text)->at(0).name), name);
+    QCOMPARE(QString::fromStdString(readPlanesText(text)->at(0).name), name);
 }
 
 void PlanesCsvTest::writesTheSameInEveryLocale()
@@ -123,7 +124,7 @@ void PlanesCsvTest::writesTheSameInEveryLocale()
     const std::locale before = std::locale::global(std::locale("de_DE.UTF-8"));
 
     const std::string german = textOf({sampleCeiling(), sampleWall()});
-    const auto planes = read(german);
+    const auto planes = readPlanesText(german);
     std::locale::global(before);
 
     QCOMPARE(german, expected);
@@ -159,7 +160,7 @@ void PlanesCsvTest::givesTheOutlinesOfASnapshot()
 void PlanesCsvTest::readsBackWhatWasWritten()
 {
     const auto planes =
-        read(textOf({sampleCeiling(), sampleWall(), knownPlane(1, "east", {0.6, 0.0, -0.8}, 0.5, 400)}));
+        readPlanesText(textOf({sampleCeiling(), sampleWall(), knownPlane(1, "east", {0.6, 0.0, -0.8}, 0.5, 400)}));
 
     QVERIFY(planes.has_value());
     QCOMPARE(planes->size(), std::size_t(3));
@@ -175,7 +176,7 @@ void PlanesCsvTest::readsBackWhatWasWritten()
 
 void PlanesCsvTest::readsFilesWrittenByHand()
 {
-    const auto planes = read(
+    const auto planes = readPlanesText(
         "# format = planewright-planes "
         "1,,,,\r\nd,nz,ny,nx,id,note\r\n-2,-1.0004,0,0,5,\"two\r\nlines\"\r\n0,-1,0,0,6,\r\n"
         "\r\n");
@@ -248,7 +249,7 @@ void PlanesCsvTest::refusesWhatIsNoPlanesFile()
     QFETCH(QByteArray, text);
     QFETCH(QString, message);
 
-    const auto planes = read(text.toStdString());
+    const auto planes = readPlanesText(text.toStdString());
 
     QVERIFY(!planes.has_value());
     QCOMPARE(planes.error().code, ErrorCode::Unreadable);
@@ -262,7 +263,7 @@ void PlanesCsvTest::refusesAQuoteThatNeverEnds()
     for (int i = 0; i < 20; ++i)
         text += line + "\n";
 
-    const auto planes = read(text);
+    const auto planes = readPlanesText(text);
 
     QCOMPARE(planes.error().message,
              std::string("p.csv: line 18: the row is longer than 16777216 bytes; close its quotes"));
@@ -276,5 +277,5 @@ void PlanesCsvTest::refusesAFullDisk()
     QCOMPARE(writePlanesCsv(out, {}).error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(PlanesCsvTest)
+PLANEWRIGHT_TEST(PlanesCsvTest)
 #include "planes_csv_test.moc"

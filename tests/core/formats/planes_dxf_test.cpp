@@ -18,6 +18,7 @@
 #include <QTest>
 
 #include "core/formats/dxf_text.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -237,5 +238,5 @@ void PlanesDxfTest::aStreamThatFailsIsNotWritten()
     QVERIFY(writeFloorPlanDxf(out, std::vector{wall()}, 0.1).error().code == ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(PlanesDxfTest)
+PLANEWRIGHT_TEST(PlanesDxfTest)
 #include "planes_dxf_test.moc"

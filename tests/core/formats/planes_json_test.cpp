@@ -14,6 +14,7 @@
 #include <QtTest>
 
 #include "sample_planes.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -26,7 +27,7 @@ std::string textOf(const std::vector<PlaneResult>& planes, std::string_view prog
     return done ? out.str() : done.error().message;
 }
 
-Result<std::vector<PlaneRecord>> read(const std::string& text)
+Result<std::vector<PlaneRecord>> readPlanesJsonText(const std::string& text)
 {
     std::istringstream in(text);
     return readPlanesJson(in, "p.json");
@@ -102,7 +103,7 @@ void PlanesJsonTest::writesTheSameInEveryLocale()
     const std::locale before = std::locale::global(std::locale("de_DE.UTF-8"));
 
     const std::string german = textOf({sampleCeiling()});
-    const auto planes = read(german);
+    const auto planes = readPlanesJsonText(german);
     std::locale::global(before);
 
     QCOMPARE(german, expected);
@@ -118,7 +119,8 @@ void PlanesJsonTest::replacesBytesThatAreNoUtf8()
 
 void PlanesJsonTest::readsBackWhatWasWritten()
 {
-    const auto planes = read(textOf({sampleCeiling(), sampleWall(), knownPlane(1, "east", {0, -1, 0}, 2, 5)}));
+    const auto planes =
+        readPlanesJsonText(textOf({sampleCeiling(), sampleWall(), knownPlane(1, "east", {0, -1, 0}, 2, 5)}));
 
     QVERIFY(planes.has_value());
     QCOMPARE(planes->size(), std::size_t(3));
@@ -194,7 +196,7 @@ void PlanesJsonTest::refusesWhatIsNoPlanesFile()
     QFETCH(QByteArray, text);
     QFETCH(QString, message);
 
-    const auto planes = read(text.toStdString());
+    const auto planes = readPlanesJsonText(text.toStdString());
 
     QVERIFY(!planes.has_value());
     QCOMPARE(planes.error().code, ErrorCode::Unreadable);
@@ -206,12 +208,12 @@ void PlanesJsonTest::refusesDeepNesting()
     const std::string deepest =
         R"({"format":"planewright-planes 1","planes":[],"a":)" + std::string(63, '[') + std::string(63, ']') + "}";
 
-    QVERIFY(read(deepest).has_value());
+    QVERIFY(readPlanesJsonText(deepest).has_value());
     for (const char* opening : {"[", "{\"a\":"}) {
         std::string text;
         for (int i = 0; i < 100000; ++i)
             text += opening;
-        QCOMPARE(read(text).error().message,
+        QCOMPARE(readPlanesJsonText(text).error().message,
                  std::string("p.json: the file nests deeper than 64 levels; give a flatter one"));
     }
 }
@@ -222,12 +224,12 @@ void PlanesJsonTest::refusesTooManyValues()
     for (int i = 0; i < 4'000'000; ++i)
         text += ",0";
 
-    QCOMPARE(read(text).error().message,
+    QCOMPARE(readPlanesJsonText(text).error().message,
              std::string("p.json: the file holds more than 4000000 values; give a smaller one"));
     text = "[";
     for (int i = 0; i < 4'000'000; ++i)
         text += "[],";
-    QCOMPARE(read(text).error().message,
+    QCOMPARE(readPlanesJsonText(text).error().message,
              std::string("p.json: the file holds more than 4000000 values; give a smaller one"));
 }
 
@@ -235,7 +237,7 @@ void PlanesJsonTest::refusesTooManyBytes()
 {
     const std::string text((std::size_t{64} << 20) + 1, ' ');
 
-    QCOMPARE(read(text).error().message,
+    QCOMPARE(readPlanesJsonText(text).error().message,
              std::string("p.json: the file is larger than 64 MiB; give one that this program wrote"));
 }
 
@@ -247,9 +249,10 @@ void PlanesJsonTest::refusesAStreamThatFails()
     out.setstate(std::ios::badbit);
 
     QCOMPARE(readPlanesJson(in, "p.json").error().message,
-             std::string("p.json: the file cannot be read; check that it is a file and that its disk is sound"));
+             std::string(
+                 "p.json: the file cannot be readPlanesJsonText; check that it is a file and that its disk is sound"));
     QCOMPARE(writePlanesJson(out, {}, {}, "p").error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(PlanesJsonTest)
+PLANEWRIGHT_TEST(PlanesJsonTest)
 #include "planes_json_test.moc"

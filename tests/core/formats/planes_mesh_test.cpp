@@ -10,6 +10,7 @@
 
 #include "ply_parser.h"
 #include "sample_planes.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -126,5 +127,5 @@ void PlanesMeshTest::aFullDiskIsNotSilent()
     QCOMPARE(writePlanesObj(out, {}).error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(PlanesMeshTest)
+PLANEWRIGHT_TEST(PlanesMeshTest)
 #include "planes_mesh_test.moc"

@@ -10,6 +10,7 @@
 
 #include "ply_parser.h"
 #include "sample_scan.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -97,5 +98,5 @@ void PointsFilesTest::aFullDiskIsNotSilent()
     QCOMPARE(writePointsPcd(out, {}, {}).error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(PointsFilesTest)
+PLANEWRIGHT_TEST(PointsFilesTest)
 #include "points_files_test.moc"

@@ -9,12 +9,13 @@
 #include <QtTest>
 
 #include "core/params/registry.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
 namespace {
 
-Result<void> read(const std::string& text, Parameters& parameters)
+Result<void> readPresetText(const std::string& text, Parameters& parameters)
 {
     std::istringstream in(text);
     return readPresetFile(in, "my.json", parameters);
@@ -44,9 +45,9 @@ void PresetFileTest::setsNumbersTextsAndSwitches()
 {
     Parameters parameters;
 
-    QVERIFY(read(preset(R"("segments.split-distance":0.05,"segments.min-points":12,"clusters.average":"sma",)"
-                        R"("segments.merge-angle":"3.5")"),
-                 parameters)
+    QVERIFY(readPresetText(preset(R"("segments.split-distance":0.05,"segments.min-points":12,"clusters.average":"sma",)"
+                                  R"("segments.merge-angle":"3.5")"),
+                           parameters)
                 .has_value());
 
     QCOMPARE(parameters.segments.splitDistance, 0.05);
@@ -57,7 +58,7 @@ void PresetFileTest::setsNumbersTextsAndSwitches()
         if (row.unit != Unit::Switch)
             continue;
         for (const std::string value : {"true", "false"}) {
-            QVERIFY(read(preset("\"" + std::string(row.key) + "\":" + value), parameters).has_value());
+            QVERIFY(readPresetText(preset("\"" + std::string(row.key) + "\":" + value), parameters).has_value());
             QCOMPARE(printParameter(parameters, row.key), value);
         }
     }
@@ -77,7 +78,7 @@ void PresetFileTest::everyParameterSurvivesWritingAndReading()
     Parameters again;
 
     QVERIFY(writePresetFile(out, parameters).has_value());
-    QVERIFY(read(out.str(), again).has_value());
+    QVERIFY(readPresetText(out.str(), again).has_value());
 
     for (const ParameterRow& row : parameterRows())
         QCOMPARE(printParameter(again, row.key), printParameter(parameters, row.key));
@@ -92,7 +93,7 @@ void PresetFileTest::readsTheSameInEveryLocale()
              "the locale de_DE.UTF-8 is missing: install locales-all");
     Parameters parameters;
 
-    const auto done = read(preset(R"("segments.split-distance":0.055)"), parameters);
+    const auto done = readPresetText(preset(R"("segments.split-distance":0.055)"), parameters);
     std::setlocale(LC_ALL, "C");
 
     QVERIFY(done.has_value());
@@ -153,7 +154,7 @@ void PresetFileTest::refusesAndChangesNothing()
     QFETCH(QString, message);
     Parameters parameters;
 
-    const auto done = read(text.toStdString(), parameters);
+    const auto done = readPresetText(text.toStdString(), parameters);
 
     QVERIFY(!done.has_value());
     QCOMPARE(QString::fromStdString(done.error().message), message);
@@ -166,8 +167,8 @@ void PresetFileTest::messagesNeverRepeatAWholeHostileText()
     Parameters parameters;
     const std::string hostile = std::string(100000, 'x') + "\\u001b[2J";
 
-    const auto key = read(preset("\"" + hostile + "\":1"), parameters);
-    const auto value = read(preset("\"segments.min-points\":\"\\u001b" + hostile + "\""), parameters);
+    const auto key = readPresetText(preset("\"" + hostile + "\":1"), parameters);
+    const auto value = readPresetText(preset("\"segments.min-points\":\"\\u001b" + hostile + "\""), parameters);
 
     for (const auto& done : {key, value}) {
         QVERIFY(!done.has_value());
@@ -184,5 +185,5 @@ void PresetFileTest::aFullDiskIsNotSilent()
     QCOMPARE(writePresetFile(out, {}).error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(PresetFileTest)
+PLANEWRIGHT_TEST(PresetFileTest)
 #include "preset_file_test.moc"

@@ -11,6 +11,7 @@
 
 #include "core/formats/recording_pwscan.h"
 #include "pwscan_sample.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -106,5 +107,5 @@ void PwscanKillTest::everyEditIsWholeOrAbsent()
     }
 }
 
-QTEST_GUILESS_MAIN(PwscanKillTest)
+PLANEWRIGHT_TEST(PwscanKillTest)
 #include "pwscan_kill_test.moc"

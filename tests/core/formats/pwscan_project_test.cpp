@@ -14,6 +14,7 @@
 #include "core/formats/pwscan_writer.h"
 #include "core/formats/recording_pwscan.h"
 #include "pwscan_sample.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -295,5 +296,5 @@ void PwscanProjectTest::editsAreTakenWhileTheScanRuns()
     QCOMPARE(readRecordingPwscan(path_)->read.recording.slices.size(), std::size_t(2));
 }
 
-QTEST_GUILESS_MAIN(PwscanProjectTest)
+PLANEWRIGHT_TEST(PwscanProjectTest)
 #include "pwscan_project_test.moc"

@@ -14,6 +14,7 @@
 #include "core/formats/parameter_events.h"
 #include "core/formats/recording_pwscan.h"
 #include "pwscan_sample.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -359,5 +360,5 @@ void PwscanWriterTest::aFileThatWasExchangedIsAnError()
     QVERIFY(second.error().code == ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(PwscanWriterTest)
+PLANEWRIGHT_TEST(PwscanWriterTest)
 #include "pwscan_writer_test.moc"

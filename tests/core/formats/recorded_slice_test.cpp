@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -60,5 +61,5 @@ void RecordedSliceTest::rangesAreWholeMillimetresHalfUp()
     QCOMPARE(recordedMillimetres(std::nan("")), 0.0);
 }
 
-QTEST_GUILESS_MAIN(RecordedSliceTest)
+PLANEWRIGHT_TEST(RecordedSliceTest)
 #include "recorded_slice_test.moc"

@@ -9,6 +9,7 @@
 #include "core/formats/recording_csv.h"
 #include "core/types/angle.h"
 #include "recording_text.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 using std::chrono::microseconds;
@@ -326,5 +327,5 @@ void RecordingCsvReadTest::goesOnBelowAWrongHeader()
                                  "scan.csv: line 9: the row has 5 cells instead of 6; complete or remove the row"}));
 }
 
-QTEST_GUILESS_MAIN(RecordingCsvReadTest)
+PLANEWRIGHT_TEST(RecordingCsvReadTest)
 #include "recording_csv_read_test.moc"

@@ -10,6 +10,7 @@
 #include "core/formats/recording_csv.h"
 #include "core/types/angle.h"
 #include "recording_text.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 using std::chrono::microseconds;
@@ -226,5 +227,5 @@ void RecordingCsvWriteTest::aFullDiskIsNotSilent()
     }
 }
 
-QTEST_GUILESS_MAIN(RecordingCsvWriteTest)
+PLANEWRIGHT_TEST(RecordingCsvWriteTest)
 #include "recording_csv_write_test.moc"

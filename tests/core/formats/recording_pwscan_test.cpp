@@ -11,6 +11,7 @@
 
 #include "core/formats/parameter_events.h"
 #include "pwscan_sample.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -248,5 +249,5 @@ void RecordingPwscanTest::namesThatMeanSomethingToSqliteAreFiles()
     }
 }
 
-QTEST_GUILESS_MAIN(RecordingPwscanTest)
+PLANEWRIGHT_TEST(RecordingPwscanTest)
 #include "recording_pwscan_test.moc"

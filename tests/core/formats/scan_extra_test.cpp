@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class ScanExtraTest : public QObject {
@@ -65,5 +67,5 @@ void ScanExtraTest::whatIsNoObjectIsRefused()
     QVERIFY(keys.error().message.starts_with("here: "));
 }
 
-QTEST_GUILESS_MAIN(ScanExtraTest)
+PLANEWRIGHT_TEST(ScanExtraTest)
 #include "scan_extra_test.moc"

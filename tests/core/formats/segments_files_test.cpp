@@ -9,6 +9,7 @@
 
 #include "ply_parser.h"
 #include "sample_scan.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -66,5 +67,5 @@ void SegmentsFilesTest::aFullDiskIsNotSilent()
     QCOMPARE(writeSegmentsPly(out, {}).error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(SegmentsFilesTest)
+PLANEWRIGHT_TEST(SegmentsFilesTest)
 #include "segments_files_test.moc"

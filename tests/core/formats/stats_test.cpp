@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 using namespace std::chrono_literals;
@@ -64,5 +65,5 @@ void StatsTest::aFullDiskIsNotSilent()
     QCOMPARE(writeStats(out, {}).error().code, ErrorCode::NotWritten);
 }
 
-QTEST_GUILESS_MAIN(StatsTest)
+PLANEWRIGHT_TEST(StatsTest)
 #include "stats_test.moc"

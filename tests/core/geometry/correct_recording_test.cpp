@@ -8,6 +8,7 @@
 #include "core/geometry/sensor_model.h"
 #include "core/geometry/slice_corrector.h"
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -196,5 +197,5 @@ void CorrectRecordingTest::slicesComeCorrectedWhileTheyAreMeasured()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::CorrectRecordingTest)
+PLANEWRIGHT_TEST(planewright::CorrectRecordingTest)
 #include "correct_recording_test.moc"

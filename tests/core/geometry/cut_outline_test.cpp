@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class CutOutlineTest : public QObject {
@@ -120,5 +122,5 @@ void CutOutlineTest::anEdgeAtTheHeightIsCutAsWhatIsBelowIt()
     QVERIFY(lines[0].to.isApprox(Eigen::Vector2d(0.0, 2.0)));
 }
 
-QTEST_GUILESS_MAIN(CutOutlineTest)
+PLANEWRIGHT_TEST(CutOutlineTest)
 #include "cut_outline_test.moc"

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -74,5 +75,5 @@ void MeasurePlanesTest::nearlyParallelPlanesAreMeasuredAtTheirMiddles()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::MeasurePlanesTest)
+PLANEWRIGHT_TEST(planewright::MeasurePlanesTest)
 #include "measure_planes_test.moc"

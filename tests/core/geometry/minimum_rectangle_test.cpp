@@ -10,6 +10,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 namespace {
 
@@ -113,5 +115,5 @@ void MinimumRectangleTest::aPointHasNoSides()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::MinimumRectangleTest)
+PLANEWRIGHT_TEST(planewright::MinimumRectangleTest)
 #include "minimum_rectangle_test.moc"

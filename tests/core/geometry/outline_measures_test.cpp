@@ -11,6 +11,7 @@
 #include "core/geometry/outline.h"
 #include "core/types/angle.h"
 #include "tests/core/geometry/seen_plane.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -244,5 +245,5 @@ void OutlineMeasuresTest::segmentsMayRunEitherWay()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::OutlineMeasuresTest)
+PLANEWRIGHT_TEST(planewright::OutlineMeasuresTest)
 #include "outline_measures_test.moc"

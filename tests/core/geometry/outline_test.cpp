@@ -12,6 +12,7 @@
 
 #include "core/types/angle.h"
 #include "tests/core/geometry/seen_plane.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -379,5 +380,5 @@ void OutlineTest::aStepBesideAnotherOneIsNotSlanted()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::OutlineTest)
+PLANEWRIGHT_TEST(planewright::OutlineTest)
 #include "outline_test.moc"

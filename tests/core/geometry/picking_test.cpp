@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class PickingTest : public QObject {
@@ -110,5 +112,5 @@ void PickingTest::aSegmentAlongTheRayIsPassedAtItsStart()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::PickingTest)
+PLANEWRIGHT_TEST(planewright::PickingTest)
 #include "picking_test.moc"

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -43,5 +44,5 @@ void PlaneAnglesTest::aLevelPlaneHasNoHeading()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::PlaneAnglesTest)
+PLANEWRIGHT_TEST(planewright::PlaneAnglesTest)
 #include "plane_angles_test.moc"

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -192,5 +193,5 @@ void SensorModelTest::aDescriptionGivesItsModel()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SensorModelTest)
+PLANEWRIGHT_TEST(planewright::SensorModelTest)
 #include "sensor_model_test.moc"

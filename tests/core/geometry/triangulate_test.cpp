@@ -13,6 +13,7 @@
 
 #include "core/geometry/polygon_union.h"
 #include "tests/core/geometry/seen_plane.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -260,5 +261,5 @@ void TriangulateTest::aTiltedOutlineOfSegmentsIsCovered()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::TriangulateTest)
+PLANEWRIGHT_TEST(planewright::TriangulateTest)
 #include "triangulate_test.moc"

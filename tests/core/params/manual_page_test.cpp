@@ -8,6 +8,7 @@
 
 #include "core/params/presets.h"
 #include "core/params/registry.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -75,5 +76,5 @@ void ManualPageTest::everyTableRowHasAsManyCellsAsItsHeading()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ManualPageTest)
+PLANEWRIGHT_TEST(planewright::ManualPageTest)
 #include "manual_page_test.moc"

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "core/params/parameter_rows.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -76,5 +77,5 @@ void ParametersTest::aDefaultOutOfItsRangeIsNoticed()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ParametersTest)
+PLANEWRIGHT_TEST(planewright::ParametersTest)
 #include "parameters_test.moc"

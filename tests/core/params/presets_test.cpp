@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "core/params/registry.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -135,5 +136,5 @@ void PresetsTest::applyingASensorSetsItsNoiseAndNothingElse()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PresetsTest)
+PLANEWRIGHT_TEST(planewright::PresetsTest)
 #include "presets_test.moc"

@@ -9,6 +9,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class RegistryTest : public QObject {
@@ -282,5 +284,5 @@ void RegistryTest::noLocaleChangesWhatIsReadOrPrinted()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::RegistryTest)
+PLANEWRIGHT_TEST(planewright::RegistryTest)
 #include "registry_test.moc"

@@ -8,6 +8,7 @@
 #include "core/params/presets.h"
 #include "core/types/angle.h"
 #include "tests/core/pipeline/simulated_room.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -315,5 +316,5 @@ void ApplyEditsTest::segmentsOfAnEditedSnapshotFollow()
     QVERIFY(beams[id(3)] > 0);
 }
 
-QTEST_GUILESS_MAIN(ApplyEditsTest)
+PLANEWRIGHT_TEST(ApplyEditsTest)
 #include "apply_edits_test.moc"

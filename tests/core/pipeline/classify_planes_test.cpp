@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -122,5 +123,5 @@ void ClassifyPlanesTest::noPlanesHaveNoClasses()
     QVERIFY(classes().empty());
 }
 
-QTEST_GUILESS_MAIN(ClassifyPlanesTest)
+PLANEWRIGHT_TEST(ClassifyPlanesTest)
 #include "classify_planes_test.moc"

@@ -14,6 +14,7 @@
 #include "core/planes/end_point_cost.h"
 #include "core/types/angle.h"
 #include "tests/core/params/preset_parameters.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -438,5 +439,5 @@ void CompleteLabelsTest::labelsOfTheEstimatorByEndPointsStay()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::CompleteLabelsTest)
+PLANEWRIGHT_TEST(planewright::CompleteLabelsTest)
 #include "complete_labels_test.moc"

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "simulated_room.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -138,5 +139,5 @@ void ExactRoomsTest::turningTheRoomTurnsItsPlanes()
     QVERIFY2(compared.errors.distance.max < 1e-6, qPrintable(QString::number(compared.errors.distance.max)));
 }
 
-QTEST_GUILESS_MAIN(ExactRoomsTest)
+PLANEWRIGHT_TEST(ExactRoomsTest)
 #include "exact_rooms_test.moc"

@@ -20,6 +20,7 @@
 #include "core/types/angle.h"
 #include "simulated_room.h"
 #include "tests/core/params/preset_parameters.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -182,5 +183,5 @@ void ExportedCovarianceTest::csvAndJsonSayTheSame()
     }
 }
 
-QTEST_GUILESS_MAIN(ExportedCovarianceTest)
+PLANEWRIGHT_TEST(ExportedCovarianceTest)
 #include "exported_covariance_test.moc"

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "simulated_room.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -319,5 +320,5 @@ void PlaneExtractorTest::rangesThatAreNoNumbersAreNoReturns()
     QCOMPARE(snapshot->report.counts.returns, wall);
 }
 
-QTEST_GUILESS_MAIN(PlaneExtractorTest)
+PLANEWRIGHT_TEST(PlaneExtractorTest)
 #include "plane_extractor_test.moc"

@@ -12,6 +12,7 @@
 #include "core/params/registry.h"
 #include "simulated_room.h"
 #include "tests/core/params/preset_parameters.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -265,5 +266,5 @@ void PreciseRoomsTest::changedParametersTakeEffect()
     QVERIFY(extractor.finish()->planes.size() < extracted(room.scan.recording, precise())->planes.size() / 2);
 }
 
-QTEST_GUILESS_MAIN(PreciseRoomsTest)
+PLANEWRIGHT_TEST(PreciseRoomsTest)
 #include "precise_rooms_test.moc"

@@ -13,6 +13,7 @@
 #include "core/formats/recording_csv.h"
 #include "core/params/presets.h"
 #include "simulated_room.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -165,5 +166,5 @@ void RealRecordingsTest::theDeskHasATopAndWallsBehindIt()
     QVERIFY(aside != nullptr && aside->points > 5000);
 }
 
-QTEST_GUILESS_MAIN(RealRecordingsTest)
+PLANEWRIGHT_TEST(RealRecordingsTest)
 #include "real_recordings_test.moc"

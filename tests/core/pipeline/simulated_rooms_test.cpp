@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "simulated_room.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -98,5 +99,5 @@ void SimulatedRoomsTest::aHostileRoomIsSurvived()
     }
 }
 
-QTEST_GUILESS_MAIN(SimulatedRoomsTest)
+PLANEWRIGHT_TEST(SimulatedRoomsTest)
 #include "simulated_rooms_test.moc"

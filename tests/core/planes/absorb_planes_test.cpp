@@ -7,6 +7,7 @@
 
 #include "core/planes/split_and_merge.h"
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -223,5 +224,5 @@ void AbsorbPlanesTest::absorptionIsExplainedByTestsThatPass()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::AbsorbPlanesTest)
+PLANEWRIGHT_TEST(planewright::AbsorbPlanesTest)
 #include "absorb_planes_test.moc"

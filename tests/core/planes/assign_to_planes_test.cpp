@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -316,5 +317,5 @@ void AssignToPlanesTest::rejectionWithoutAnyPlaneHasNoTests()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::AssignToPlanesTest)
+PLANEWRIGHT_TEST(planewright::AssignToPlanesTest)
 #include "assign_to_planes_test.moc"

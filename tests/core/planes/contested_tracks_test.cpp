@@ -12,6 +12,7 @@
 
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -232,5 +233,5 @@ void ContestedTracksTest::aPlaneThatDidNotChangeIsNotAskedAgain()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ContestedTracksTest)
+PLANEWRIGHT_TEST(planewright::ContestedTracksTest)
 #include "contested_tracks_test.moc"

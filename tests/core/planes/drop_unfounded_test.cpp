@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/one_wall.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -215,5 +216,5 @@ void DropUnfoundedTest::droppedPlanesFreeTheirSegments()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DropUnfoundedTest)
+PLANEWRIGHT_TEST(planewright::DropUnfoundedTest)
 #include "drop_unfounded_test.moc"

@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -276,5 +277,5 @@ void EndPointCostTest::informationIsRegularInThreeParameters()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EndPointCostTest)
+PLANEWRIGHT_TEST(planewright::EndPointCostTest)
 #include "end_point_cost_test.moc"

@@ -10,6 +10,7 @@
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -169,5 +170,5 @@ void ExplanationsTest::limitsAreFinite()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ExplanationsTest)
+PLANEWRIGHT_TEST(planewright::ExplanationsTest)
 #include "explanations_test.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -253,5 +254,5 @@ void FitPlanesTest::nothingIsExplainedWhereNobodyAsks()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::FitPlanesTest)
+PLANEWRIGHT_TEST(planewright::FitPlanesTest)
 #include "fit_planes_test.moc"

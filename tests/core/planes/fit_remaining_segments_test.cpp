@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -125,5 +126,5 @@ void FitRemainingSegmentsTest::everySegmentIsExplained()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::FitRemainingSegmentsTest)
+PLANEWRIGHT_TEST(planewright::FitRemainingSegmentsTest)
 #include "fit_remaining_segments_test.moc"

@@ -8,6 +8,7 @@
 
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -87,5 +88,5 @@ void GrowTrackTest::planesGrowToNoSegmentBesideThem()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::GrowTrackTest)
+PLANEWRIGHT_TEST(planewright::GrowTrackTest)
 #include "grow_track_test.moc"

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -428,5 +429,5 @@ void GrowingPlaneTest::planeThatReplacesAnotherGoesOnFromItsRevision()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::GrowingPlaneTest)
+PLANEWRIGHT_TEST(planewright::GrowingPlaneTest)
 #include "growing_plane_test.moc"

@@ -11,6 +11,7 @@
 
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -474,5 +475,5 @@ void JoinTracksTest::mirroredScansAreJoinedAlike()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::JoinTracksTest)
+PLANEWRIGHT_TEST(planewright::JoinTracksTest)
 #include "join_tracks_test.moc"

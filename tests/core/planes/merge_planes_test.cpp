@@ -9,6 +9,7 @@
 #include "core/planes/neighbourhood.h"
 #include "core/planes/split_and_merge.h"
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -463,5 +464,5 @@ void MergePlanesTest::nothingHappensToOnePlaneAlone()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::MergePlanesTest)
+PLANEWRIGHT_TEST(planewright::MergePlanesTest)
 #include "merge_planes_test.moc"

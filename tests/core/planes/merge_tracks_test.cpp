@@ -11,6 +11,7 @@
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -18,10 +19,10 @@ namespace {
 using Ids = std::vector<PlaneId>;
 
 /// Ten slices that see surfaces from right to left, and a plane of each in this order.
-struct Merging {
+struct TrackMerging {
     NoddingScan scan;
 
-    explicit Merging(const std::vector<Surface>& surfaces, int slices = 10)
+    explicit TrackMerging(const std::vector<Surface>& surfaces, int slices = 10)
     {
         scan.nod(slices, surfaces);
         for (std::size_t i = 0; i < surfaces.size(); ++i)
@@ -39,22 +40,22 @@ struct Merging {
 };
 
 /// Two walls side by side, one as far behind the other as gives this χ² of their being one.
-Merging apartBy(double chi)
+TrackMerging apartBy(double chi)
 {
     // The distance enters χ² squared: planes of the same beams have the same covariance wherever they are nearly.
     double shift = 0.01;
     for (int round = 0; round < 6; ++round) {
-        Merging merging({wallBy(300, 355), wallBy(360, 415, shift)});
+        TrackMerging merging({wallBy(300, 355), wallBy(360, 415, shift)});
         shift *= std::sqrt(chi / merging.mergeChi(0, 1));
     }
-    return Merging({wallBy(300, 355), wallBy(360, 415, shift)});
+    return TrackMerging({wallBy(300, 355), wallBy(360, 415, shift)});
 }
 
 /// Two walls side by side of which every other slice is a centimetre to the front and to the back, with much less noise
 /// than that; the second is so much farther [m].
-Merging uneven(double shift)
+TrackMerging uneven(double shift)
 {
-    Merging merging({}, 0);
+    TrackMerging merging({}, 0);
     merging.scan.parameters.noise.rangeConstant = 0.002;
     merging.scan.parameters.noise.pitch = degrees(0.01);
     constexpr int kSlices = 30;
@@ -101,7 +102,7 @@ private slots:
 
 void MergeTracksTest::halvesOfAWallBecomeOne()
 {
-    Merging merging({wallBy(300, 355), wallBy(360, 415)});
+    TrackMerging merging({wallBy(300, 355), wallBy(360, 415)});
     const std::uint64_t revision = merging.plane(0).revision;
     merging.plane(0).published = std::make_shared<const Plane>();
 
@@ -135,7 +136,7 @@ void MergeTracksTest::ofEqualPlanesTheOlderLives()
 
 void MergeTracksTest::theLargerPlaneLives()
 {
-    Merging merging({wallBy(300, 340), wallBy(345, 415)});
+    TrackMerging merging({wallBy(300, 340), wallBy(345, 415)});
 
     merging.merge();
 
@@ -150,7 +151,7 @@ void MergeTracksTest::theLargerPlaneLives()
 
 void MergeTracksTest::parallelWallsTenCentimetresApartStayTwo()
 {
-    Merging merging({wallBy(300, 355), wallBy(360, 415, 0.1)});
+    TrackMerging merging({wallBy(300, 355), wallBy(360, 415, 0.1)});
 
     merging.merge();
 
@@ -165,7 +166,7 @@ void MergeTracksTest::wallsAtAnAngleStayTwo()
     // Both go through the same line between beams 355 and 360: x = 0.1, y = 4.
     const double angle = degrees(5.0);
     const Eigen::Vector3d normal{std::sin(angle), std::cos(angle), 0.0};
-    Merging merging({wallBy(300, 355), {normal, normal.dot(Eigen::Vector3d{0.1, 4.0, 0.0}), 360, 415}});
+    TrackMerging merging({wallBy(300, 355), {normal, normal.dot(Eigen::Vector3d{0.1, 4.0, 0.0}), 360, 415}});
 
     merging.merge();
 
@@ -183,7 +184,7 @@ void MergeTracksTest::theGateIsTheOneOfTheParameters_data()
 void MergeTracksTest::theGateIsTheOneOfTheParameters()
 {
     QFETCH(const double, factor);
-    Merging merging = apartBy(factor * 25.0);
+    TrackMerging merging = apartBy(factor * 25.0);
     QCOMPARE(merging.scan.parameters.likelihood.mergeGate, 25.0);
 
     merging.merge();
@@ -204,7 +205,7 @@ void MergeTracksTest::planesThatAreFarApartInChiAreNotEvenNear()
 {
     QFETCH(const double, chi);
     QFETCH(const bool, near);
-    Merging merging = apartBy(chi);
+    TrackMerging merging = apartBy(chi);
 
     merging.merge();
 
@@ -215,7 +216,7 @@ void MergeTracksTest::planesThatAreFarApartInChiAreNotEvenNear()
 void MergeTracksTest::decisionsTellTheNumbersCompared()
 {
     for (const double chi : {10.0, 50.0}) {
-        Merging merging = apartBy(chi);
+        TrackMerging merging = apartBy(chi);
 
         merging.merge();
 
@@ -257,7 +258,7 @@ void MergeTracksTest::halvesAcrossAGapMergeWhereBothAreKnown_data()
 void MergeTracksTest::halvesAcrossAGapMergeWhereBothAreKnown()
 {
     QFETCH(const double, factor);
-    Merging merging({wallBy(300, 330), wallBy(370, 415)});
+    TrackMerging merging({wallBy(300, 330), wallBy(370, 415)});
     merging.scan.parameters.likelihood.mergeAngle =
         factor *
         std::sqrt(std::max(merging.plane(0).estimate.normalVariance(), merging.plane(1).estimate.normalVariance()));
@@ -274,7 +275,7 @@ void MergeTracksTest::halvesAcrossAGapMergeWhereBothAreKnown()
 void MergeTracksTest::twentyBeamsApartIsSideBySide()
 {
     for (const int gap : {20, 21}) {
-        Merging merging({wallBy(300, 340), wallBy(340 + gap, 415)});
+        TrackMerging merging({wallBy(300, 340), wallBy(340 + gap, 415)});
         merging.scan.parameters.likelihood.mergeAngle = 0.0;
 
         merging.merge();
@@ -285,7 +286,8 @@ void MergeTracksTest::twentyBeamsApartIsSideBySide()
 
 void MergeTracksTest::piecesOfAWallBecomeOneInOneGo()
 {
-    Merging merging({wallBy(250, 290), wallBy(295, 360, 0.1), wallBy(365, 390), wallBy(395, 470), wallBy(475, 500)});
+    TrackMerging merging(
+        {wallBy(250, 290), wallBy(295, 360, 0.1), wallBy(365, 390), wallBy(395, 470), wallBy(475, 500)});
 
     merging.merge();
 
@@ -300,9 +302,9 @@ void MergeTracksTest::piecesOfAWallBecomeOneInOneGo()
 void MergeTracksTest::aMergedPlaneMeetsTheOnesBefore()
 {
     // Two pieces side by side that are known well enough only together, and before them one far off that is known.
-    Merging merging({wallBy(250, 330), wallBy(400, 425), wallBy(430, 455)});
+    TrackMerging merging({wallBy(250, 330), wallBy(400, 425), wallBy(430, 455)});
     const double known = std::sqrt(merging.plane(0).estimate.normalVariance());
-    Merging pieces({wallBy(400, 425), wallBy(430, 455)});
+    TrackMerging pieces({wallBy(400, 425), wallBy(430, 455)});
     const double piece =
         std::sqrt(std::min(pieces.plane(0).estimate.normalVariance(), pieces.plane(1).estimate.normalVariance()));
     pieces.merge();
@@ -319,10 +321,10 @@ void MergeTracksTest::aMergedPlaneMeetsTheOnesBefore()
 void MergeTracksTest::aMergedPlaneIsComparedAgainHoweverLittleItGrew()
 {
     // A piece that is not known well enough for one across a gap, until a fifth more is beside it.
-    Merging merging({wallBy(250, 330), wallBy(400, 455), wallBy(457, 467)});
+    TrackMerging merging({wallBy(250, 330), wallBy(400, 455), wallBy(457, 467)});
     merging.scan.map.dissolve(2);
     const double piece = std::sqrt(merging.plane(1).estimate.normalVariance());
-    Merging more({wallBy(400, 467)});
+    TrackMerging more({wallBy(400, 467)});
     const double both = std::sqrt(more.plane(0).estimate.normalVariance());
     QVERIFY(both < piece);
     merging.scan.parameters.likelihood.mergeAngle = 0.5 * (both + piece);
@@ -364,7 +366,7 @@ void MergeTracksTest::aMergedPlaneIsThatOfAllItsSegments()
 
 void MergeTracksTest::planesThatDidNotGrowAreNotComparedAgain()
 {
-    Merging merging = apartBy(50.0);
+    TrackMerging merging = apartBy(50.0);
     merging.merge();
     QCOMPARE(merging.nears().size(), std::size_t{1});
 
@@ -383,7 +385,7 @@ void MergeTracksTest::planesThatDidNotGrowAreNotComparedAgain()
 void MergeTracksTest::planesAreSolvedBeforeTheyAreCompared()
 {
     // Plane 0 was made of the wall behind and has taken in one segment too many to be solved.
-    Merging merging({kWall}, 12);
+    TrackMerging merging({kWall}, 12);
     for (SegmentNumber number = 12; number < 14; ++number) {
         merging.scan.see(degrees(85.0) + number * kTiltStep, {wallBy(320, 400, 0.01)});
         merging.scan.map.join(merging.plane(0), std::span{&number, 1}, number, merging.scan.parameters);
@@ -406,7 +408,7 @@ void MergeTracksTest::planesAreSolvedBeforeTheyAreCompared()
 
 void MergeTracksTest::oneLongPlaneIsLeftAlone()
 {
-    Merging merging({kWall});
+    TrackMerging merging({kWall});
     const std::uint64_t revision = merging.plane(0).revision;
 
     merging.merge();
@@ -422,8 +424,8 @@ void MergeTracksTest::mirroredScansMergeAlike()
     for (auto surface = surfaces.rbegin(); surface != surfaces.rend(); ++surface)
         mirrored.push_back(
             {surface->normal, surface->distance, kBeams - 1 - surface->lastBeam, kBeams - 1 - surface->firstBeam});
-    Merging merging(surfaces);
-    Merging mirror(mirrored);
+    TrackMerging merging(surfaces);
+    TrackMerging mirror(mirrored);
 
     merging.merge();
     mirror.merge();
@@ -441,7 +443,7 @@ void MergeTracksTest::halvesOfAnUnevenWallAreOne()
 {
     // 8 mm apart: many times what the noise tells, and less than each strays itself. One plane between them would
     // explain both (10² + 4²)/10² = 1.16 times as badly, and one that turns towards both less than that.
-    Merging merging = uneven(0.008);
+    TrackMerging merging = uneven(0.008);
     QVERIFY(merging.mergeChi(0, 1) > merging.scan.parameters.likelihood.mergeGate);
 
     merging.merge();
@@ -453,7 +455,7 @@ void MergeTracksTest::halvesOfAnUnevenWallAreOne()
 
 void MergeTracksTest::unevenWallsThatAreTwoStayTwo()
 {
-    Merging merging = uneven(0.1);
+    TrackMerging merging = uneven(0.1);
 
     merging.merge();
 
@@ -462,5 +464,5 @@ void MergeTracksTest::unevenWallsThatAreTwoStayTwo()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::MergeTracksTest)
+PLANEWRIGHT_TEST(planewright::MergeTracksTest)
 #include "merge_tracks_test.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -171,5 +172,5 @@ void NeighbourhoodTest::segmentsOfFarSlicesDoNotFace()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::NeighbourhoodTest)
+PLANEWRIGHT_TEST(planewright::NeighbourhoodTest)
 #include "neighbourhood_test.moc"

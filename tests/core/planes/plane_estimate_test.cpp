@@ -15,6 +15,7 @@
 #include "core/simulation/random.h"
 #include "core/types/angle.h"
 #include "tests/core/planes/seen_statistics.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -412,5 +413,5 @@ void PlaneEstimateTest::mergingDoesNotAskForTheSideOfTheNormal()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PlaneEstimateTest)
+PLANEWRIGHT_TEST(planewright::PlaneEstimateTest)
 #include "plane_estimate_test.moc"

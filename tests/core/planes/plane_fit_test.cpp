@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -492,5 +493,5 @@ void PlaneFitTest::covarianceIsHonest()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PlaneFitTest)
+PLANEWRIGHT_TEST(planewright::PlaneFitTest)
 #include "plane_fit_test.moc"

@@ -15,6 +15,7 @@
 #include "core/simulation/random.h"
 #include "core/types/angle.h"
 #include "tests/core/planes/seen_statistics.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -185,5 +186,5 @@ void PlaneKernelsTest::aSliceInThePlaneIsInfinitelyFarOff()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PlaneKernelsTest)
+PLANEWRIGHT_TEST(planewright::PlaneKernelsTest)
 #include "plane_kernels_test.moc"

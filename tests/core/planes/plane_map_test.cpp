@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -103,5 +104,5 @@ void PlaneMapTest::clusteringIsExplained()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PlaneMapTest)
+PLANEWRIGHT_TEST(planewright::PlaneMapTest)
 #include "plane_map_test.moc"

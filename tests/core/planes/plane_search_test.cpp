@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -514,5 +515,5 @@ void PlaneSearchTest::nothingIsFoundAmongNothing()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PlaneSearchTest)
+PLANEWRIGHT_TEST(planewright::PlaneSearchTest)
 #include "plane_search_test.moc"

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -201,5 +202,5 @@ void ReassignSegmentsTest::movesAreExplainedByTestsThatPass()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ReassignSegmentsTest)
+PLANEWRIGHT_TEST(planewright::ReassignSegmentsTest)
 #include "reassign_segments_test.moc"

@@ -9,6 +9,7 @@
 #include "core/planes/segment_slices.h"
 #include "core/types/angle.h"
 #include "tests/core/pipeline/simulated_room.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -193,5 +194,5 @@ void RefitSegmentsTest::thePitchOfASliceComesFromItsSegments()
     }
 }
 
-QTEST_GUILESS_MAIN(RefitSegmentsTest)
+PLANEWRIGHT_TEST(RefitSegmentsTest)
 #include "refit_segments_test.moc"

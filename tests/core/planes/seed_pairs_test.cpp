@@ -8,6 +8,7 @@
 
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -142,5 +143,5 @@ void SeedPairsTest::aPairParallelToAKnownPlaneComesFirst()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SeedPairsTest)
+PLANEWRIGHT_TEST(planewright::SeedPairsTest)
 #include "seed_pairs_test.moc"

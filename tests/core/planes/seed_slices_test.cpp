@@ -8,6 +8,7 @@
 
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -135,5 +136,5 @@ void SeedSlicesTest::slicesOfANearSurfaceAreFarEnoughApartForItsScanner()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SeedSlicesTest)
+PLANEWRIGHT_TEST(planewright::SeedSlicesTest)
 #include "seed_slices_test.moc"

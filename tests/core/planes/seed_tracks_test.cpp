@@ -10,6 +10,7 @@
 
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -358,5 +359,5 @@ void SeedTracksTest::aTurnedScanHasTheTurnedPlanes()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SeedTracksTest)
+PLANEWRIGHT_TEST(planewright::SeedTracksTest)
 #include "seed_tracks_test.moc"

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -169,5 +170,5 @@ void SegmentRunTest::theShareIsThatOfThePlanesSegments()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SegmentRunTest)
+PLANEWRIGHT_TEST(planewright::SegmentRunTest)
 #include "segment_run_test.moc"

@@ -12,6 +12,7 @@
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
 #include "tests/core/planes/one_wall.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -296,5 +297,5 @@ void SettleTracksTest::lastFitIsPublished()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SettleTracksTest)
+PLANEWRIGHT_TEST(planewright::SettleTracksTest)
 #include "settle_tracks_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/planes/split_and_merge.h"
 #include "tests/core/planes/seen_segments.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -233,5 +234,5 @@ void SplitPlanesTest::aSplitIsExplainedByItsError()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SplitPlanesTest)
+PLANEWRIGHT_TEST(planewright::SplitPlanesTest)
 #include "split_planes_test.moc"

@@ -14,6 +14,7 @@
 #include <QtTest>
 
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -464,5 +465,5 @@ void TrackMapTest::dissolvedPlanesFreeTheirSegmentsAndKeepTheirNumber()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::TrackMapTest)
+PLANEWRIGHT_TEST(planewright::TrackMapTest)
 #include "track_map_test.moc"

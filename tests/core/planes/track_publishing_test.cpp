@@ -12,12 +12,13 @@
 
 #include "core/planes/track_stages.h"
 #include "tests/core/planes/nodding_scan.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
 
 /// A wall that leans and is turned out of all axes.
-const Surface kLeaning{Eigen::Vector3d{0.3, 0.9, -0.2}.normalized(), 3.0, 320, 400};
+const Surface kPublished{Eigen::Vector3d{0.3, 0.9, -0.2}.normalized(), 3.0, 320, 400};
 
 /// Ten slices of the leaning surface whose points stray from it by a centimetre, and these points in space.
 struct Rough {
@@ -29,15 +30,15 @@ struct Rough {
         Random random(seed);
         for (int k = 0; k < 10; ++k) {
             const double tilt = degrees(85.0) + k * kTiltStep;
-            std::vector<Eigen::Vector2d> slice = pointsOf(kLeaning, tilt);
+            std::vector<Eigen::Vector2d> slice = pointsOf(kPublished, tilt);
             points.emplace_back();
             for (Eigen::Vector2d& point : slice) {
                 point *= 1.0 + 0.01 / point.norm() * random.normalPair().first;
                 points.back().push_back(frameOf(tilt, kSensor).pointAt(point.x(), point.y()));
             }
-            scan.add(tilt, {statisticsOf(slice, kLeaning.firstBeam, scan.parameters.noise)});
+            scan.add(tilt, {statisticsOf(slice, kPublished.firstBeam, scan.parameters.noise)});
         }
-        scan.makePlane({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, kLeaning);
+        scan.makePlane({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, kPublished);
     }
     PlaneTrack& plane() { return scan.map.plane(0); }
 };
@@ -106,14 +107,14 @@ void TrackPublishingTest::endPointsAreThoseOfTheirBeams()
 {
     NoddingScan scan;
     const double tilt = degrees(70.0);
-    scan.see(tilt, {kLeaning});
+    scan.see(tilt, {kPublished});
 
     const LineSegment segment = segmentsOf(0, scan.map, kSensor, scan.parameters.noise).at(0);
 
-    const std::vector<Eigen::Vector2d> points = pointsOf(kLeaning, tilt);
+    const std::vector<Eigen::Vector2d> points = pointsOf(kPublished, tilt);
     for (const bool last : {false, true}) {
         const double range = (last ? points.back() : points.front()).norm();
-        const double bearing = kBearingStep * (last ? kLeaning.lastBeam : kLeaning.firstBeam);
+        const double bearing = kBearingStep * (last ? kPublished.lastBeam : kPublished.firstBeam);
         const Eigen::Vector3d expected = toCartesian(range, bearing, tilt, kSensor);
         QVERIFY(((last ? segment.end : segment.start) - expected).norm() < 1e-12);
         QVERIFY((last ? segment.endCovariance : segment.startCovariance)
@@ -126,13 +127,13 @@ void TrackPublishingTest::endPointsAreThoseOfTheirBeams()
 void TrackPublishingTest::directionOfASegmentIsTowardsItsStart()
 {
     NoddingScan scan;
-    scan.see(degrees(70.0), {kLeaning});
+    scan.see(degrees(70.0), {kPublished});
 
     const LineSegment segment = segmentsOf(0, scan.map, kSensor, scan.parameters.noise).at(0);
 
     QVERIFY((segment.direction - (segment.start - segment.end).normalized()).norm() < 1e-12);
     QVERIFY((directionOf(0, scan.map) + segment.direction).norm() < 1e-12);
-    QVERIFY(std::abs(segment.direction.dot(kLeaning.normal)) < 1e-12);
+    QVERIFY(std::abs(segment.direction.dot(kPublished.normal)) < 1e-12);
 }
 
 void TrackPublishingTest::momentsAreThoseOfAllPoints()
@@ -261,7 +262,7 @@ void TrackPublishingTest::covarianceFollowsTheNormalWhenItIsTurned()
 {
     Rough rough(45);
     rough.scan.map.dissolve(0);
-    rough.scan.makePlane({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, {-kLeaning.normal, -kLeaning.distance});
+    rough.scan.makePlane({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, {-kPublished.normal, -kPublished.distance});
     PlaneTrack& plane = rough.scan.map.plane(1);
     const PlaneEstimate& estimate = plane.estimate;
 
@@ -340,5 +341,5 @@ void TrackPublishingTest::clustersAreTheSameObjectUntilTheyChange()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::TrackPublishingTest)
+PLANEWRIGHT_TEST(planewright::TrackPublishingTest)
 #include "track_publishing_test.moc"

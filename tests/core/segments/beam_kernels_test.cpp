@@ -12,6 +12,7 @@
 
 #include "core/types/angle.h"
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -251,5 +252,5 @@ void BeamKernelsTest::weightsAreTheInverseOfThePredictedVariance()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BeamKernelsTest)
+PLANEWRIGHT_TEST(planewright::BeamKernelsTest)
 #include "beam_kernels_test.moc"

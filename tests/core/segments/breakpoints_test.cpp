@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -229,5 +230,5 @@ void BreakpointsTest::runsOfTheSliceBeforeAreForgotten()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BreakpointsTest)
+PLANEWRIGHT_TEST(planewright::BreakpointsTest)
 #include "breakpoints_test.moc"

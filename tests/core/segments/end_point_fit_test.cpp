@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -327,5 +328,5 @@ void EndPointFitTest::aZigzagOf65536PointsIsSplitAtEveryTooth()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EndPointFitTest)
+PLANEWRIGHT_TEST(planewright::EndPointFitTest)
 #include "end_point_fit_test.moc"

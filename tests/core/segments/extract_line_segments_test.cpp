@@ -13,6 +13,7 @@
 #include <QtTest>
 
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -376,5 +377,5 @@ void ExtractLineSegmentsTest::anExtractorIsReusedSliceAfterSlice()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ExtractLineSegmentsTest)
+PLANEWRIGHT_TEST(planewright::ExtractLineSegmentsTest)
 #include "extract_line_segments_test.moc"

@@ -11,17 +11,18 @@
 
 #include "tests/core/params/preset_parameters.h"
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
 
-constexpr SensorModel kSensor{0.05, 0.1, 30.0};
+constexpr SensorModel kStatisticsSensor{0.05, 0.1, 30.0};
 
 std::vector<SegmentStatistics> segmentsOf(const ScanSlice& slice, const Parameters& parameters = precise())
 {
     StatisticsExtractor extractor;
     std::vector<SegmentStatistics> segments;
-    extractor.extract(slice, kSensor, parameters, segments);
+    extractor.extract(slice, kStatisticsSensor, parameters, segments);
     return segments;
 }
 
@@ -109,7 +110,7 @@ void ExtractStatisticsTest::aWallSeenAtAShallowAngleStaysWhole()
 void ExtractStatisticsTest::missingBeamsDoNotEndAWall()
 {
     ScanSlice slice = drawn(emptySlice(degrees(60.0), degrees(0.25), 241), {{{3.0, 2.0}, {-3.0, 2.0}}});
-    for (const std::size_t beam : {40, 100, 101, 102, 103, 170})
+    for (const std::size_t beam : {40U, 100U, 101U, 102U, 103U, 170U})
         slice.ranges[beam] = 0.0;
 
     const auto segments = segmentsOf(slice);
@@ -307,5 +308,5 @@ void ExtractStatisticsTest::aLongRowOfTeethIsSurvived()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ExtractStatisticsTest)
+PLANEWRIGHT_TEST(planewright::ExtractStatisticsTest)
 #include "extract_statistics_test.moc"

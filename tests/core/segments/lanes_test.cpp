@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 namespace {
 
@@ -65,5 +67,5 @@ void LanesTest::sumsRunInOneOrderWhateverTheWidth()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::LanesTest)
+PLANEWRIGHT_TEST(planewright::LanesTest)
 #include "lanes_test.moc"

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -136,5 +137,5 @@ void LineMomentsTest::onePlaceHasNoDirection()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::LineMomentsTest)
+PLANEWRIGHT_TEST(planewright::LineMomentsTest)
 #include "line_moments_test.moc"

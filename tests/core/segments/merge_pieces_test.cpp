@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 using Pieces = std::vector<PointRun>;
 
 /// Fixed tolerances only: 2° and a gap of 0.25 m, straight to 3 cm; none grows with the noise or the beams' spacing.
-SegmentParameters fixedTolerances()
+SegmentParameters fixedMergeTolerances()
 {
     SegmentParameters parameters;
     parameters.splitDistance = 0.03;
@@ -30,19 +31,19 @@ SegmentParameters fixedTolerances()
     return parameters;
 }
 
-Pieces merged(const ScanSlice& slice, Pieces pieces, const SegmentParameters& parameters = fixedTolerances(),
+Pieces merged(const ScanSlice& slice, Pieces pieces, const SegmentParameters& parameters = fixedMergeTolerances(),
               const NoiseParameters& noise = kFineNoise)
 {
     mergePieces(pointsOf(slice, noise), slice.bearingStep, parameters, pieces);
     return pieces;
 }
 
-const DrawnWall kWallAhead{{-6.0, 4.0}, {6.0, 4.0}};
+const DrawnWall kFlatWall{{-6.0, 4.0}, {6.0, 4.0}};
 
 /// A wall 4 m ahead, seen from 70° to 110° by a beam every quarter of a degree: 17.5 mm apart straight ahead.
-ScanSlice wallAhead()
+ScanSlice flatWall()
 {
-    return drawn(emptySlice(degrees(70.0), degrees(0.25), 161), {kWallAhead});
+    return drawn(emptySlice(degrees(70.0), degrees(0.25), 161), {kFlatWall});
 }
 
 void drop(ScanSlice& slice, int first, int last)
@@ -80,7 +81,7 @@ private slots:
 
 void MergePiecesTest::joinsAWallInterruptedByADropout()
 {
-    ScanSlice slice = wallAhead();
+    ScanSlice slice = flatWall();
     drop(slice, 80, 84);
 
     QCOMPARE(merged(slice, {{0, 79}, {85, 160}}), (Pieces{{0, 160}}));
@@ -88,12 +89,12 @@ void MergePiecesTest::joinsAWallInterruptedByADropout()
 
 void MergePiecesTest::joinsNeighboursWithoutAGap()
 {
-    QCOMPARE(merged(wallAhead(), {{0, 79}, {80, 160}}), (Pieces{{0, 160}}));
+    QCOMPARE(merged(flatWall(), {{0, 79}, {80, 160}}), (Pieces{{0, 160}}));
 }
 
 void MergePiecesTest::joinsAChainOfPiecesIntoOne()
 {
-    ScanSlice slice = wallAhead();
+    ScanSlice slice = flatWall();
     Pieces pieces;
     for (int first = 0; first < 160; first += 10) {
         pieces.push_back({first, first + 7});
@@ -105,15 +106,15 @@ void MergePiecesTest::joinsAChainOfPiecesIntoOne()
 
 void MergePiecesTest::nothingAndOnePieceStayAsTheyAre()
 {
-    QCOMPARE(merged(wallAhead(), {}), Pieces{});
-    QCOMPARE(merged(wallAhead(), {{3, 40}}), (Pieces{{3, 40}}));
+    QCOMPARE(merged(flatWall(), {}), Pieces{});
+    QCOMPARE(merged(flatWall(), {{3, 40}}), (Pieces{{3, 40}}));
 }
 
 void MergePiecesTest::leavesTwoWallsAtTenDegreesApart()
 {
     // Even where the joined piece would be straight enough: by 10° the bend leaves its chord by 17 cm.
     const ScanSlice slice = drawn(emptySlice(degrees(70.0), degrees(0.25), 151), bend(degrees(10.0)));
-    SegmentParameters lenient = fixedTolerances();
+    SegmentParameters lenient = fixedMergeTolerances();
     lenient.splitDistance = 1.0;
 
     QCOMPARE(merged(slice, {{0, 80}, {81, 150}}), (Pieces{{0, 80}, {81, 150}}));
@@ -125,7 +126,7 @@ void MergePiecesTest::leavesTheWallsOfACornerApart()
     // The corner lies at 104.04°, between beams 136 and 137.
     const ScanSlice slice =
         drawn(emptySlice(degrees(70.0), degrees(0.25), 201), {{{2.0, 4.0}, {-1.0, 4.0}}, {{-1.0, 4.0}, {-1.0, 0.5}}});
-    SegmentParameters lenient = fixedTolerances();
+    SegmentParameters lenient = fixedMergeTolerances();
     lenient.splitDistance = 5.0;
 
     QCOMPARE(merged(slice, {{0, 136}, {137, 200}}), (Pieces{{0, 136}, {137, 200}}));
@@ -139,7 +140,7 @@ void MergePiecesTest::leavesAWallAndADoorBehindItApart()
         drawn(emptySlice(degrees(60.0), degrees(0.25), 160), {{{6.0, 4.0}, {0.0, 4.0}}, {{0.1, 4.06}, {-1.0, 4.06}}});
     const ScanSlice mirrored =
         drawn(emptySlice(degrees(80.25), degrees(0.25), 160), {{{-6.0, 4.0}, {0.0, 4.0}}, {{-0.1, 4.06}, {1.0, 4.06}}});
-    SegmentParameters lenient = fixedTolerances();
+    SegmentParameters lenient = fixedMergeTolerances();
     lenient.splitDistance = 0.07;
 
     QCOMPARE(merged(mirrored, {{0, 38}, {39, 159}}), (Pieces{{0, 38}, {39, 159}}));
@@ -150,10 +151,10 @@ void MergePiecesTest::leavesAWallAndADoorBehindItApart()
 
 void MergePiecesTest::leavesWallsOnBothSidesOfAPillarApart()
 {
-    ScanSlice slice = wallAhead();
+    ScanSlice slice = flatWall();
     for (int beam = 76; beam <= 84; ++beam)
         slice.ranges[static_cast<std::size_t>(beam)] = 1.5;
-    ScanSlice unseen = wallAhead();
+    ScanSlice unseen = flatWall();
     drop(unseen, 76, 84);
 
     QCOMPARE(merged(slice, {{0, 75}, {76, 84}, {85, 160}}), (Pieces{{0, 75}, {76, 84}, {85, 160}}));
@@ -167,7 +168,7 @@ void MergePiecesTest::joinsNearlyParallelPiecesBelowTheAngleOnly()
     const ScanSlice less = drawn(emptySlice(degrees(70.0), degrees(0.25), 151), bend(degrees(1.9)));
     const ScanSlice more = drawn(emptySlice(degrees(70.0), degrees(0.25), 151), bend(degrees(2.1)));
     const ScanSlice other = drawn(emptySlice(degrees(70.0), degrees(0.25), 151), bend(degrees(-2.1)));
-    SegmentParameters lenient = fixedTolerances();
+    SegmentParameters lenient = fixedMergeTolerances();
     lenient.splitDistance = 0.2;
 
     QCOMPARE(merged(less, pieces, lenient), (Pieces{{0, 150}}));
@@ -181,23 +182,23 @@ void MergePiecesTest::theAngleGrowsWithTheNoiseOfShortPieces()
     // three of these are 5.7°. A bend of 4.5° is then nothing but noise; one of 7° is not.
     const Pieces pieces{{60, 79}, {80, 99}};
     const NoiseParameters noise{0.01, 0.0, 0.0, 0.0};
-    SegmentParameters sigmas = fixedTolerances();
+    SegmentParameters sigmas = fixedMergeTolerances();
     sigmas.mergeAngleSigmas = 3.0;
     const auto bent = [](double angle) {
         return drawn(emptySlice(degrees(70.0), degrees(0.25), 151), bend(degrees(angle)));
     };
 
     QCOMPARE(merged(bent(4.5), pieces, sigmas, noise), (Pieces{{60, 99}}));
-    QCOMPARE(merged(bent(4.5), pieces, fixedTolerances(), noise), pieces);
+    QCOMPARE(merged(bent(4.5), pieces, fixedMergeTolerances(), noise), pieces);
     QCOMPARE(merged(bent(7.0), pieces, sigmas, noise), pieces);
 }
 
 void MergePiecesTest::joinsGapsBelowTheLimitInMetresOnly()
 {
     // Straight ahead the points of beams 14 apart lie 4·2·tan 1.75° = 0.2444 m apart, of 15 apart more than 0.26 m.
-    ScanSlice slice = wallAhead();
+    ScanSlice slice = flatWall();
     drop(slice, 74, 86);
-    ScanSlice wider = wallAhead();
+    ScanSlice wider = flatWall();
     drop(wider, 73, 86);
 
     QCOMPARE(merged(slice, {{0, 73}, {87, 160}}), (Pieces{{0, 160}}));
@@ -209,7 +210,7 @@ void MergePiecesTest::joinsGapsBelowTheLimitInStepsOnly()
     // A beam every degree on a wall 10 m ahead: 0.175 m from point to point, more than the 0.1 m of the fixed limit.
     ScanSlice slice = drawn(emptySlice(degrees(70.0), degrees(1.0), 41), {{{-9.0, 10.0}, {9.0, 10.0}}});
     drop(slice, 20, 22);  // four steps from 19 to 23
-    SegmentParameters fixed = fixedTolerances();
+    SegmentParameters fixed = fixedMergeTolerances();
     fixed.mergeGap = 0.1;
     SegmentParameters threeSteps = fixed;
     threeSteps.mergeGapSteps = 3.0;
@@ -235,5 +236,5 @@ void MergePiecesTest::joinsOnlyNeighboursOfManyPieces()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::MergePiecesTest)
+PLANEWRIGHT_TEST(planewright::MergePiecesTest)
 #include "merge_pieces_test.moc"

@@ -9,11 +9,12 @@
 #include <QtTest>
 
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
 
-constexpr SensorModel kSensor{0.05, 0.1, 60.0};
+constexpr SensorModel kNoiseSensor{0.05, 0.1, 60.0};
 constexpr int kSlices = 40;
 
 /// A room of 5 m by 9 m as a slice sees it, with noise of these parts and every `missing`th beam without echo.
@@ -35,7 +36,7 @@ NoiseParameters found(double constant, double proportional, const NoiseParameter
 {
     RangeNoise noise;
     for (int i = 0; i < kSlices; ++i)
-        noise.add(roomSlice(constant, proportional, static_cast<std::uint64_t>(i), missing), kSensor, told);
+        noise.add(roomSlice(constant, proportional, static_cast<std::uint64_t>(i), missing), kNoiseSensor, told);
     return noise.estimate(told);
 }
 
@@ -133,13 +134,13 @@ void RangeNoiseTest::rangesThatErrTogetherAreNeverBetterThanTold()
 void RangeNoiseTest::hostileSlicesAreSurvived()
 {
     RangeNoise noise;
-    noise.add(emptySlice(0.0, degrees(0.25), 0), kSensor, {});
-    noise.add(emptySlice(0.0, degrees(0.25), 1), kSensor, {});
-    noise.add(emptySlice(0.0, degrees(0.25), 721), kSensor, {});
+    noise.add(emptySlice(0.0, degrees(0.25), 0), kNoiseSensor, {});
+    noise.add(emptySlice(0.0, degrees(0.25), 1), kNoiseSensor, {});
+    noise.add(emptySlice(0.0, degrees(0.25), 721), kNoiseSensor, {});
     ScanSlice wild = emptySlice(0.0, degrees(0.25), 4001);
     for (std::size_t i = 0; i < wild.ranges.size(); ++i)
         wild.ranges[i] = i % 3 == 0 ? 59.9 : 0.11;
-    noise.add(wild, kSensor, {});
+    noise.add(wild, kNoiseSensor, {});
 
     const NoiseParameters estimate = noise.estimate({});
 
@@ -152,5 +153,5 @@ void RangeNoiseTest::hostileSlicesAreSurvived()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::RangeNoiseTest)
+PLANEWRIGHT_TEST(planewright::RangeNoiseTest)
 #include "range_noise_test.moc"

@@ -11,6 +11,7 @@
 
 #include "core/segments/line_piece.h"
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -188,5 +189,5 @@ void SeenLineTest::weightsThatDependOnNoRangeShiftNothing()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SeenLineTest)
+PLANEWRIGHT_TEST(planewright::SeenLineTest)
 #include "seen_line_test.moc"

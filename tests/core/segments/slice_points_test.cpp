@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -271,5 +272,5 @@ void SlicePointsTest::aReusedObjectHoldsTheNewSliceOnly()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SlicePointsTest)
+PLANEWRIGHT_TEST(planewright::SlicePointsTest)
 #include "slice_points_test.moc"

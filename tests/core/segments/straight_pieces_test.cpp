@@ -10,11 +10,12 @@
 
 #include "tests/core/params/preset_parameters.h"
 #include "tests/core/segments/drawn_slice.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
 
-constexpr SensorModel kSensor{0.05, 0.1, 30.0};
+constexpr SensorModel kPiecesSensor{0.05, 0.1, 30.0};
 constexpr int kShortest = 4;
 
 /// A slice straight ahead, 60° wide, of 241 beams.
@@ -34,7 +35,7 @@ Parameters withNoise(double sigma)
 std::vector<LinePiece> piecesOf(const ScanSlice& slice, const Parameters& parameters)
 {
     BeamPoints points(beamKernels());
-    points.take(slice, kSensor, parameters);
+    points.take(slice, kPiecesSensor, parameters);
     StraightPieces straight;
     const auto pieces = straight.divide(points, kShortest, parameters);
     return {pieces.begin(), pieces.end()};
@@ -129,5 +130,5 @@ void StraightPiecesTest::runsTooShortArePassedOver()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::StraightPiecesTest)
+PLANEWRIGHT_TEST(planewright::StraightPiecesTest)
 #include "straight_pieces_test.moc"

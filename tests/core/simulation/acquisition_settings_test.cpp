@@ -7,6 +7,8 @@
 
 #include <QtTest/QtTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class AcquisitionSettingsTest : public QObject {
@@ -83,5 +85,5 @@ void AcquisitionSettingsTest::anUnknownNameListsTheKnownOnes()
         QVERIFY(result.error().message.find(preset.name) != std::string::npos);
 }
 
-QTEST_GUILESS_MAIN(AcquisitionSettingsTest)
+PLANEWRIGHT_TEST(AcquisitionSettingsTest)
 #include "acquisition_settings_test.moc"

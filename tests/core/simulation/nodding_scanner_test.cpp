@@ -10,6 +10,7 @@
 #include "core/geometry/sensor_model.h"
 #include "core/simulation/scene_builder.h"
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -245,5 +246,5 @@ void NoddingScannerTest::anEmptySceneGivesOnlyZeros()
     }
 }
 
-QTEST_GUILESS_MAIN(NoddingScannerTest)
+PLANEWRIGHT_TEST(NoddingScannerTest)
 #include "nodding_scanner_test.moc"

@@ -8,6 +8,8 @@
 
 #include <QtTest/QtTest>
 
+#include "tests/test_program.h"
+
 using namespace planewright;
 
 class RandomTest : public QObject {
@@ -102,5 +104,5 @@ void RandomTest::normalsHaveMeanZeroAndVarianceOne()
     QVERIFY(std::abs(cross / kPairs) < 5.0 / std::sqrt(kPairs));
 }
 
-QTEST_GUILESS_MAIN(RandomTest)
+PLANEWRIGHT_TEST(RandomTest)
 #include "random_test.moc"

@@ -13,6 +13,7 @@
 #include "core/simulation/random.h"
 #include "core/simulation/scene_builder.h"
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -247,5 +248,5 @@ void RayCasterTest::cullingLosesNoHit()
     }
 }
 
-QTEST_GUILESS_MAIN(RayCasterTest)
+PLANEWRIGHT_TEST(RayCasterTest)
 #include "ray_caster_test.moc"

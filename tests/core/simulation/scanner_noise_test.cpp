@@ -9,6 +9,7 @@
 #include "core/simulation/nodding_scanner.h"
 #include "core/simulation/scene_builder.h"
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -282,5 +283,5 @@ void ScannerNoiseTest::aCreaseMixesNothing()
     QCOMPARE(mixed.labels, plain.labels);
 }
 
-QTEST_GUILESS_MAIN(ScannerNoiseTest)
+PLANEWRIGHT_TEST(ScannerNoiseTest)
 #include "scanner_noise_test.moc"

@@ -9,6 +9,7 @@
 #include <QtTest/QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -150,5 +151,5 @@ void SceneBuilderTest::onlyTheGlassLosesReturns()
     QCOMPARE(scene.rectangles[1].dropout, 0.7);
 }
 
-QTEST_GUILESS_MAIN(SceneBuilderTest)
+PLANEWRIGHT_TEST(SceneBuilderTest)
 #include "scene_builder_test.moc"

@@ -14,6 +14,7 @@
 
 #include "core/simulation/nodding_scanner.h"
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -378,5 +379,5 @@ void SceneTest::anUnknownNameListsTheKnownOnes()
                      "empty, hostile."));
 }
 
-QTEST_GUILESS_MAIN(SceneTest)
+PLANEWRIGHT_TEST(SceneTest)
 #include "scene_test.moc"

@@ -6,6 +6,7 @@
 #include <QtTest/QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 using namespace planewright;
 
@@ -83,5 +84,5 @@ void SimulationNoiseTest::anUnknownNameListsTheKnownOnes()
         QVERIFY(simulationNoise(name).has_value());
 }
 
-QTEST_GUILESS_MAIN(SimulationNoiseTest)
+PLANEWRIGHT_TEST(SimulationNoiseTest)
 #include "simulation_noise_test.moc"

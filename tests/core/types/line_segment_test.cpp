@@ -8,6 +8,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 namespace {
@@ -136,5 +138,5 @@ void LineSegmentTest::idsAreOrderedByStepThenIndex()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::LineSegmentTest)
+PLANEWRIGHT_TEST(planewright::LineSegmentTest)
 #include "line_segment_test.moc"

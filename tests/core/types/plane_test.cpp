@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class PlaneTest : public QObject {
@@ -99,5 +101,5 @@ void PlaneTest::theTurnedPlaneHoldsTheSamePoints()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PlaneTest)
+PLANEWRIGHT_TEST(planewright::PlaneTest)
 #include "plane_test.moc"

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -80,5 +81,5 @@ void ScanSliceTest::aSingleBeamHasTheTiltOfItsSlice()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScanSliceTest)
+PLANEWRIGHT_TEST(planewright::ScanSliceTest)
 #include "scan_slice_test.moc"

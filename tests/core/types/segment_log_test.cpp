@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 namespace {
@@ -133,5 +135,5 @@ void SegmentLogTest::copiesShareTheirSegments()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SegmentLogTest)
+PLANEWRIGHT_TEST(planewright::SegmentLogTest)
 #include "segment_log_test.moc"

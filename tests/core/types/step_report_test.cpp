@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/types/error.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -78,5 +79,5 @@ void StepReportTest::aFailureCarriesItsCodeAndMessage()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::StepReportTest)
+PLANEWRIGHT_TEST(planewright::StepReportTest)
 #include "step_report_test.moc"

@@ -8,6 +8,7 @@
 #include "devices/board/board_message.h"
 #include "devices/board/cobs.h"
 #include "devices/board/frame_parser.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -286,5 +287,5 @@ void BoardFrameTest::messagesOfOtherTypesAndLengthsAreNone()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardFrameTest)
+PLANEWRIGHT_TEST(planewright::BoardFrameTest)
 #include "board_frame_test.moc"

@@ -11,6 +11,7 @@
 
 #include "devices/board/board_message.h"
 #include "devices/board/frame_parser.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -241,5 +242,5 @@ void BoardProtocolTest::theNumbersOfStatesNaksAndFaultsAreTheDocuments()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardProtocolTest)
+PLANEWRIGHT_TEST(planewright::BoardProtocolTest)
 #include "board_protocol_test.moc"

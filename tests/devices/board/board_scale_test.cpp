@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -175,5 +176,5 @@ void BoardScaleTest::anglesAreReadInDegrees()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardScaleTest)
+PLANEWRIGHT_TEST(planewright::BoardScaleTest)
 #include "board_scale_test.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/devices/board/board_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -395,5 +396,5 @@ void BoardTiltFaultsTest::aMissingSyncWireIsReported()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardTiltFaultsTest)
+PLANEWRIGHT_TEST(planewright::BoardTiltFaultsTest)
 #include "board_tilt_faults_test.moc"

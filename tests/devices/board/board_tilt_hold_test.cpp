@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "tests/devices/board/board_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -316,5 +317,5 @@ void BoardTiltHoldTest::anyThreadMayAskForHealthAndMotor()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardTiltHoldTest)
+PLANEWRIGHT_TEST(planewright::BoardTiltHoldTest)
 #include "board_tilt_hold_test.moc"

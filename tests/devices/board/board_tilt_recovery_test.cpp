@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "tests/devices/board/board_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -255,5 +256,5 @@ void BoardTiltRecoveryTest::everyFaultIsLogged()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardTiltRecoveryTest)
+PLANEWRIGHT_TEST(planewright::BoardTiltRecoveryTest)
 #include "board_tilt_recovery_test.moc"

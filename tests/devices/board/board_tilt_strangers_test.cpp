@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/devices/board/board_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -319,5 +320,5 @@ void BoardTiltStrangersTest::randomMessagesDoNoHarm()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardTiltStrangersTest)
+PLANEWRIGHT_TEST(planewright::BoardTiltStrangersTest)
 #include "board_tilt_strangers_test.moc"

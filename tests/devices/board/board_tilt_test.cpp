@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "tests/devices/board/board_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -512,5 +513,5 @@ void BoardTiltTest::anotherMountingTurnsTheOtherWay()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardTiltTest)
+PLANEWRIGHT_TEST(planewright::BoardTiltTest)
 #include "board_tilt_test.moc"

@@ -12,6 +12,7 @@
 #include "tests/devices/dynamixel/hex_bytes.h"
 #include "tests/devices/dynamixel/servo_rig.h"
 #include "tests/devices/dynamixel/tampered_servo.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -342,5 +343,5 @@ void DynamixelBusTest::whateverAnAnswerHoldsNothingBreaks()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DynamixelBusTest)
+PLANEWRIGHT_TEST(planewright::DynamixelBusTest)
 #include "dynamixel_bus_test.moc"

@@ -5,6 +5,7 @@
 
 #include "devices/dynamixel/requests.h"
 #include "tests/devices/dynamixel/moving_servo.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -487,5 +488,5 @@ void DynamixelFaultsTest::theReactionIsTheSameInEveryRun()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DynamixelFaultsTest)
+PLANEWRIGHT_TEST(planewright::DynamixelFaultsTest)
 #include "dynamixel_faults_test.moc"

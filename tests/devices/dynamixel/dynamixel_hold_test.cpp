@@ -9,6 +9,7 @@
 #include "devices/dynamixel/bus_turns.h"
 #include "devices/dynamixel/requests.h"
 #include "tests/devices/dynamixel/servo_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -32,8 +33,6 @@ private slots:
 };
 
 namespace {
-
-constexpr std::uint8_t kWrite = 0x03;
 
 /// Moves a clock that stands on, until something is done.
 template <class Future>
@@ -193,11 +192,14 @@ void DynamixelHoldTest::aHoldComesNextWhileASampleWaits()
     QVERIFY(sampled);
     QVERIFY(!moved);
     QCOMPARE(moved.error().code, ErrorCode::Interrupted);
+    // The sample, then the hold; on a busy machine the answer to it may come too late, and it is said again.
     const auto written = rig.link->written();
-    QCOMPARE(written.size(), std::size_t(2));
+    QVERIFY(written.size() >= 2);
     QCOMPARE(int(written[0].packet.code), 0x02);
-    QCOMPARE(int(written[1].packet.code), int(kWrite));
-    QCOMPARE(fromLittleEndian(std::span{written[1].packet.parameters}.subspan(1)), std::uint32_t(512));
+    for (const auto& each : std::span{written}.subspan(1)) {
+        QCOMPARE(int(each.packet.code), int(kWrite));
+        QCOMPARE(fromLittleEndian(std::span{each.packet.parameters}.subspan(1)), std::uint32_t(512));
+    }
 }
 
 void DynamixelHoldTest::aHoldEndsArming()
@@ -283,5 +285,5 @@ void DynamixelHoldTest::whoeverIsUrgentIsNotKeptWaiting()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DynamixelHoldTest)
+PLANEWRIGHT_TEST(planewright::DynamixelHoldTest)
 #include "dynamixel_hold_test.moc"

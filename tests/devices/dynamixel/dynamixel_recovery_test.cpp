@@ -5,6 +5,7 @@
 
 #include "devices/dynamixel/requests.h"
 #include "tests/devices/dynamixel/moving_servo.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -132,5 +133,5 @@ void DynamixelRecoveryTest::aSupplyThatIsBackNeedsNoRecovery()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DynamixelRecoveryTest)
+PLANEWRIGHT_TEST(planewright::DynamixelRecoveryTest)
 #include "dynamixel_recovery_test.moc"

@@ -9,6 +9,7 @@
 
 #include "devices/dynamixel/requests.h"
 #include "tests/devices/dynamixel/servo_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -49,8 +50,6 @@ bool isNear(double a, double b, double tolerance)
 {
     return std::abs(a - b) <= tolerance;
 }
-
-constexpr std::uint8_t kWrite = 0x03;
 
 }  // namespace
 
@@ -465,5 +464,5 @@ void DynamixelTiltTest::theLinkIsCounted()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DynamixelTiltTest)
+PLANEWRIGHT_TEST(planewright::DynamixelTiltTest)
 #include "dynamixel_tilt_test.moc"

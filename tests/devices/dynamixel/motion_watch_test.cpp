@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 using namespace std::chrono_literals;
@@ -103,5 +105,5 @@ void MotionWatchTest::whatIsPushedAwayIsOnItsWayAgain()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::MotionWatchTest)
+PLANEWRIGHT_TEST(planewright::MotionWatchTest)
 #include "motion_watch_test.moc"

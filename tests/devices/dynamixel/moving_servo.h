@@ -13,8 +13,6 @@
 
 namespace planewright {
 
-inline constexpr std::uint8_t kWrite = 0x03;
-
 /// A servo on its way through 0 at 60°/s, with a fault to come at turn 10.
 struct Moving : ServoRig {
     explicit Moving(const std::string& fault, EmulatedServoSettings settings = {}, DynamixelOptions options = {})

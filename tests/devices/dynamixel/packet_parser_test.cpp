@@ -11,6 +11,7 @@
 #include "devices/dynamixel/echo_filter.h"
 #include "devices/dynamixel/requests.h"
 #include "tests/devices/dynamixel/hex_bytes.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -197,5 +198,5 @@ void PacketParserTest::whatIsNoEchoIsPassedOn()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PacketParserTest)
+PLANEWRIGHT_TEST(planewright::PacketParserTest)
 #include "packet_parser_test.moc"

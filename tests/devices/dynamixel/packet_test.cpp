@@ -8,6 +8,7 @@
 #include "devices/dynamixel/packet_parser.h"
 #include "devices/dynamixel/requests.h"
 #include "tests/devices/dynamixel/hex_bytes.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -27,7 +28,7 @@ private slots:
 
 namespace {
 
-constexpr DynamixelProtocol kOne = DynamixelProtocol::One;
+constexpr DynamixelProtocol kProtocolOne = DynamixelProtocol::One;
 constexpr DynamixelProtocol kTwo = DynamixelProtocol::Two;
 
 void request(const char* name, DynamixelProtocol protocol, const DynamixelPacket& packet, const char* hex)
@@ -63,20 +64,21 @@ void PacketTest::requestsAreTheBytesOfTheManual_data()
     const std::vector<std::uint8_t> goal500{0xF4, 0x01};
     const std::vector<SyncWriteData> two{{0, {0x10, 0x00, 0x50, 0x01}}, {1, {0x20, 0x02, 0x60, 0x03}}};
 
-    request("ping", kOne, pingRequest(1), "FF FF 01 02 01 FB");
-    request("read temperature", kOne, readRequest(kOne, 1, 43, 1), "FF FF 01 04 02 2B 01 CC");
-    request("read model and firmware", kOne, readRequest(kOne, 1, 0, 3), "FF FF 01 04 02 00 03 F5");
-    request("read the state", kOne, readRequest(kOne, 1, 36, 11), "FF FF 01 04 02 24 0B C9");
-    request("torque on", kOne, write(kOne, 24, {1}), "FF FF 01 04 03 18 01 DE");
-    request("torque off", kOne, write(kOne, 24, {0}), "FF FF 01 04 03 18 00 DF");
-    request("goal 512", kOne, write(kOne, 30, {0x00, 0x02}), "FF FF 01 05 03 1E 00 02 D6");
-    request("goal 512 at speed 100", kOne, write(kOne, 30, {0x00, 0x02, 0x64, 0x00}),
+    request("ping", kProtocolOne, pingRequest(1), "FF FF 01 02 01 FB");
+    request("read temperature", kProtocolOne, readRequest(kProtocolOne, 1, 43, 1), "FF FF 01 04 02 2B 01 CC");
+    request("read model and firmware", kProtocolOne, readRequest(kProtocolOne, 1, 0, 3), "FF FF 01 04 02 00 03 F5");
+    request("read the state", kProtocolOne, readRequest(kProtocolOne, 1, 36, 11), "FF FF 01 04 02 24 0B C9");
+    request("torque on", kProtocolOne, write(kProtocolOne, 24, {1}), "FF FF 01 04 03 18 01 DE");
+    request("torque off", kProtocolOne, write(kProtocolOne, 24, {0}), "FF FF 01 04 03 18 00 DF");
+    request("goal 512", kProtocolOne, write(kProtocolOne, 30, {0x00, 0x02}), "FF FF 01 05 03 1E 00 02 D6");
+    request("goal 512 at speed 100", kProtocolOne, write(kProtocolOne, 30, {0x00, 0x02, 0x64, 0x00}),
             "FF FF 01 07 03 1E 00 02 64 00 70");
-    request("reg-write goal 500", kOne, regWriteRequest(kOne, 1, 30, goal500), "FF FF 01 05 04 1E F4 01 E2");
-    request("action", kOne, actionRequest(kBroadcastId), "FF FF FE 02 05 FA");
-    request("torque limit 1023", kOne, write(kOne, 34, {0xFF, 0x03}), "FF FF 01 05 03 22 FF 03 D2");
-    request("return delay 0", kOne, write(kOne, 5, {0}), "FF FF 01 04 03 05 00 F2");
-    request("sync write", kOne, syncWriteRequest(kOne, 30, 4, two),
+    request("reg-write goal 500", kProtocolOne, regWriteRequest(kProtocolOne, 1, 30, goal500),
+            "FF FF 01 05 04 1E F4 01 E2");
+    request("action", kProtocolOne, actionRequest(kBroadcastId), "FF FF FE 02 05 FA");
+    request("torque limit 1023", kProtocolOne, write(kProtocolOne, 34, {0xFF, 0x03}), "FF FF 01 05 03 22 FF 03 D2");
+    request("return delay 0", kProtocolOne, write(kProtocolOne, 5, {0}), "FF FF 01 04 03 05 00 F2");
+    request("sync write", kProtocolOne, syncWriteRequest(kProtocolOne, 30, 4, two),
             "FF FF FE 0E 83 1E 04 00 10 00 50 01 01 20 02 60 03 67");
     request("2.0: ping", kTwo, pingRequest(1), "FF FF FD 00 01 03 00 01 19 4E");
     request("2.0: ping to all", kTwo, pingRequest(kBroadcastId), "FF FF FD 00 FE 03 00 01 31 42");
@@ -102,10 +104,10 @@ void PacketTest::answersAreReadAsTheManualSays_data()
     QTest::addColumn<QString>("hex");
     QTest::addColumn<DynamixelStatus>("status");
 
-    answer("ok", kOne, "FF FF 01 02 00 FC", {1, 0x00, {}});
-    answer("overload and overheating", kOne, "FF FF 01 02 24 D8", {1, 0x24, {}});
-    answer("32 °C", kOne, "FF FF 01 03 00 20 DB", {1, 0x00, {32}});
-    answer("the state", kOne, "FF FF 01 0D 00 00 02 00 00 40 00 94 26 00 00 00 F5",
+    answer("ok", kProtocolOne, "FF FF 01 02 00 FC", {1, 0x00, {}});
+    answer("overload and overheating", kProtocolOne, "FF FF 01 02 24 D8", {1, 0x24, {}});
+    answer("32 °C", kProtocolOne, "FF FF 01 03 00 20 DB", {1, 0x00, {32}});
+    answer("the state", kProtocolOne, "FF FF 01 0D 00 00 02 00 00 40 00 94 26 00 00 00 F5",
            {1, 0x00, {0x00, 0x02, 0x00, 0x00, 0x40, 0x00, 0x94, 0x26, 0x00, 0x00, 0x00}});
     answer("2.0: model 1030, firmware 38", kTwo, "FF FF FD 00 01 07 00 55 00 06 04 26 65 5D",
            {1, 0x00, {0x06, 0x04, 38}});
@@ -150,7 +152,7 @@ void PacketTest::aRequestOfTwoIsNoAnswer()
 {
     QVERIFY(!statusOf(kTwo, pingRequest(1)));
     QVERIFY(!statusOf(kTwo, {1, 0x55, {}}));
-    QVERIFY(statusOf(kOne, pingRequest(1)));
+    QVERIFY(statusOf(kProtocolOne, pingRequest(1)));
 }
 
 void PacketTest::valuesAreLittleEndian()
@@ -163,5 +165,5 @@ void PacketTest::valuesAreLittleEndian()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PacketTest)
+PLANEWRIGHT_TEST(planewright::PacketTest)
 #include "packet_test.moc"

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -129,5 +130,5 @@ void ServoAnglesTest::speedsAreNeverZeroAndNeverFaster()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ServoAnglesTest)
+PLANEWRIGHT_TEST(planewright::ServoAnglesTest)
 #include "servo_angles_test.moc"

@@ -18,6 +18,9 @@
 
 namespace planewright {
 
+/// The instruction that writes registers, in both protocols.
+inline constexpr std::uint8_t kWrite = 0x03;
+
 /// What was written to a link, and when.
 struct WrittenRequest {
     std::chrono::nanoseconds at{0};

@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class StatusErrorTest : public QObject {
@@ -97,5 +99,5 @@ void StatusErrorTest::alarmsGoThereAndBack()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::StatusErrorTest)
+PLANEWRIGHT_TEST(planewright::StatusErrorTest)
 #include "status_error_test.moc"

@@ -12,6 +12,7 @@
 #include "tests/devices/echo_device.h"
 #include "tests/devices/transport/test_pty.h"
 #include "tests/devices/transport/test_socket.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -76,7 +77,7 @@ Result<std::unique_ptr<Transport>> openLink(const std::string& address)
 
 bool write(Transport& link, std::string_view text)
 {
-    return link.write(bytesOf(text), steadyClock().now() + kPatience).has_value();
+    return link.write(asBytes(text), steadyClock().now() + kPatience).has_value();
 }
 
 void addPlaces()
@@ -435,5 +436,5 @@ void DeviceServerTest::whatIsNoPlaceIsRefused()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DeviceServerTest)
+PLANEWRIGHT_TEST(planewright::DeviceServerTest)
 #include "device_server_test.moc"

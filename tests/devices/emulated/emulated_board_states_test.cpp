@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "tests/devices/emulated/board_host.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -372,5 +373,5 @@ void EmulatedBoardStatesTest::withoutTheWireNoEdgeComes()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EmulatedBoardStatesTest)
+PLANEWRIGHT_TEST(planewright::EmulatedBoardStatesTest)
 #include "emulated_board_states_test.moc"

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/devices/emulated/board_host.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -52,7 +53,7 @@ double pitchOf(int counts)
     return degrees(90.0) + (counts - 512) * kCountAngle;
 }
 
-bool isNear(double a, double b, double tolerance = 1e-9)
+bool isClose(double a, double b, double tolerance = 1e-9)
 {
     return std::abs(a - b) < tolerance;
 }
@@ -94,7 +95,7 @@ void EmulatedBoardTest::aMoveTakesTheTimeOfItsWayAndIsReported()
     QCOMPARE(int(arrived[0].request), 4);  // after HELLO, SET_CONFIG and ARM
     QCOMPARE(host.board().state(), State::Armed);
     host.wait(100ms);
-    QVERIFY(isNear(host.pitch(), pitchOf(712), 1e-4));
+    QVERIFY(isClose(host.pitch(), pitchOf(712), 1e-4));
 }
 
 void EmulatedBoardTest::aMoveThatIsToSettleIsReportedLater()
@@ -125,7 +126,7 @@ void EmulatedBoardTest::theServoCanBeMountedTheOtherWay()
     host.get<MoveReply>(Move{612, 200, 0, 0});
     host.wait(1s);
 
-    QVERIFY(isNear(host.pitch(), degrees(90.0) - 100 * 1.01 * kCountAngle, 1e-4));
+    QVERIFY(isClose(host.pitch(), degrees(90.0) - 100 * 1.01 * kCountAngle, 1e-4));
     QCOMPARE(int(host.get<StatusReply>(GetStatus{}).pos), 612);
 }
 
@@ -137,7 +138,7 @@ void EmulatedBoardTest::itMeasuresInWholeCounts()
         BoardHost host{setup};
 
         QCOMPARE(int(host.get<StatusReply>(GetStatus{}).pos), counts);
-        QVERIFY(isNear(host.pitch(), degrees(pitch)));
+        QVERIFY(isClose(host.pitch(), degrees(pitch)));
     }
 }
 
@@ -232,12 +233,12 @@ void EmulatedBoardTest::aRequestThatComesTwiceIsDoneOnce()
 
     QVERIFY(first && other);
     QCOMPARE(again, first);
-    QVERIFY(isNear(host.pitch(), pitchOf(700), 1e-4));
+    QVERIFY(isClose(host.pitch(), pitchOf(700), 1e-4));
     QCOMPARE(host.all<ArrivedEvent>().size(), std::size_t(2));
     // The same number with another content is another request.
     QVERIFY(host.askWith(51, Move{500, 400, 1, 0}) != other);
     host.wait(1s);
-    QVERIFY(isNear(host.pitch(), pitchOf(500), 1e-4));
+    QVERIFY(isClose(host.pitch(), pitchOf(500), 1e-4));
 }
 
 void EmulatedBoardTest::onlyTheLastTwoRepliesAreKept()
@@ -524,5 +525,5 @@ void EmulatedBoardTest::faultsOfNoKindAreRefusedWithThoseThatThereAre()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EmulatedBoardTest)
+PLANEWRIGHT_TEST(planewright::EmulatedBoardTest)
 #include "emulated_board_test.moc"

@@ -10,6 +10,7 @@
 
 #include "tests/devices/emulated/laser_rig.h"
 #include "tests/devices/scip/scip_text.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -353,5 +354,5 @@ void EmulatedLaserFaultsTest::theSameSeedGivesTheSameBytes()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EmulatedLaserFaultsTest)
+PLANEWRIGHT_TEST(planewright::EmulatedLaserFaultsTest)
 #include "emulated_laser_faults_test.moc"

@@ -11,6 +11,7 @@
 #include "devices/emulated/emulated_laser_faults.h"
 #include "tests/devices/emulated/laser_rig.h"
 #include "tests/devices/scip/scip_text.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -504,5 +505,5 @@ void EmulatedLaserTest::unknownModelsAreRefused()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EmulatedLaserTest)
+PLANEWRIGHT_TEST(planewright::EmulatedLaserTest)
 #include "emulated_laser_test.moc"

@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 using namespace std::chrono_literals;
@@ -269,5 +271,5 @@ void EmulatedMotorTest::goingToWhereItIsTakesNoTime()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EmulatedMotorTest)
+PLANEWRIGHT_TEST(planewright::EmulatedMotorTest)
 #include "emulated_motor_test.moc"

@@ -10,6 +10,7 @@
 #include "core/types/angle.h"
 #include "devices/dynamixel/requests.h"
 #include "tests/devices/dynamixel/hex_bytes.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -472,5 +473,5 @@ void EmulatedServoTest::theSameSeedMakesTheSameFaults()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::EmulatedServoTest)
+PLANEWRIGHT_TEST(planewright::EmulatedServoTest)
 #include "emulated_servo_test.moc"

@@ -9,6 +9,7 @@
 
 #include "core/simulation/nodding_scanner.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -127,5 +128,5 @@ void SimulatedRoomTest::isAScanner()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SimulatedRoomTest)
+PLANEWRIGHT_TEST(planewright::SimulatedRoomTest)
 #include "simulated_room_test.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/devices/nodding/scripted_devices.h"
+#include "tests/test_program.h"
 
 using namespace std::chrono_literals;
 
@@ -95,5 +96,5 @@ void DevicePairTest::aLaserThatFailedLeavesTheUnitOpen()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DevicePairTest)
+PLANEWRIGHT_TEST(planewright::DevicePairTest)
 #include "device_pair_test.moc"

@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class HealthFactsTest : public QObject {
@@ -73,5 +75,5 @@ void HealthFactsTest::whatIsOutOfOrderStandsOut()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::HealthFactsTest)
+PLANEWRIGHT_TEST(planewright::HealthFactsTest)
 #include "health_facts_test.moc"

@@ -8,6 +8,7 @@
 
 #include "core/simulation/scene.h"
 #include "tests/devices/nodding/emulated_scanner.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -78,5 +79,5 @@ void JoinedStepsTest::aRangeIsTheLeastOfItsSteps()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::JoinedStepsTest)
+PLANEWRIGHT_TEST(planewright::JoinedStepsTest)
 #include "joined_steps_test.moc"

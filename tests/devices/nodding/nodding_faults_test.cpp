@@ -10,6 +10,7 @@
 #include "tests/devices/nodding/emulated_scanner.h"
 #include "tests/devices/nodding/faulty_link.h"
 #include "tests/devices/nodding/watched_link.h"
+#include "tests/test_program.h"
 
 using namespace std::chrono_literals;
 
@@ -46,7 +47,7 @@ Scene room()
     return scene;
 }
 
-ScanPlan plan(Mode mode)
+ScanPlan faultsPlan(Mode mode)
 {
     ScanPlan plan;
     plan.mode = mode;
@@ -220,7 +221,7 @@ void NoddingFaultsTest::everyFaultOfADeviceEndsOrHeals()
     setup.faults = {{kind.toStdString(), 15}};
     EmulatedScanner emulated(setup);
     Impatience impatience(emulated);
-    const auto source = emulated.open(plan(mode));
+    const auto source = emulated.open(faultsPlan(mode));
     QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
 
     const Outcome outcome = scan(emulated, **source, impatience, 0s);
@@ -267,7 +268,7 @@ void NoddingFaultsTest::wrongAnglesAreNoticed()
         return std::make_unique<FaultyLink>(std::move(link), fault, random, emulated.clock());
     };
     Impatience impatience(emulated);
-    const auto source = emulated.open(plan(Mode::StepAndStare));
+    const auto source = emulated.open(faultsPlan(Mode::StepAndStare));
     QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
 
     const Outcome outcome = scan(emulated, **source, impatience, fault.to);
@@ -312,7 +313,7 @@ void NoddingFaultsTest::aFaultOfTheCableHeals()
     fault.to = from + std::chrono::milliseconds(random->integer(100, 4000));
     (isOnLaser ? emulated.wrapLaser : emulated.wrapTilt) = wrap;
     Impatience impatience(emulated);
-    const auto source = emulated.open(plan(mode));
+    const auto source = emulated.open(faultsPlan(mode));
     QVERIFY2(source.has_value(), source ? "" : source.error().message.c_str());
     // What was delayed has come by then.
     const Time healed = fault.to + (fault.kind == LinkFault::Kind::Delay ? fault.delay : Time{0});
@@ -347,5 +348,5 @@ void NoddingFaultsTest::aFaultOfTheCableHeals()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::NoddingFaultsTest)
+PLANEWRIGHT_TEST(planewright::NoddingFaultsTest)
 #include "nodding_faults_test.moc"

@@ -5,6 +5,7 @@
 
 #include "devices/nodding/nodding_source.h"
 #include "tests/devices/nodding/scripted_devices.h"
+#include "tests/test_program.h"
 
 using namespace std::chrono_literals;
 
@@ -41,7 +42,7 @@ namespace {
 using Time = std::chrono::nanoseconds;
 using Mode = ScanPlan::Mode;
 
-ScanPlan plan(Mode mode = Mode::Continuous)
+ScanPlan recoveryPlan(Mode mode = Mode::Continuous)
 {
     ScanPlan plan;
     plan.mode = mode;
@@ -57,7 +58,7 @@ std::unique_ptr<NoddingSource> openOn(DeviceScript& script, const ScanPlan& plan
 }
 
 /// All slices until the end or an error.
-std::vector<ScanSlice> takeAll(NoddingSource& source, const std::stop_token& stop = {})
+std::vector<ScanSlice> takeAllOf(NoddingSource& source, const std::stop_token& stop = {})
 {
     std::vector<ScanSlice> slices;
     for (auto slice = source.next(stop); slice && *slice; slice = source.next(stop))
@@ -86,7 +87,7 @@ void NoddingRecoveryTest::whatStoppedTheUnitIsClearedAfterAReleaseAlone()
         isAlarmed = false;
         return {};
     };
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
 
     const auto first = source->begin({});
     const auto second = source->begin({});
@@ -98,7 +99,7 @@ void NoddingRecoveryTest::whatStoppedTheUnitIsClearedAfterAReleaseAlone()
     source->release();
     QVERIFY(source->begin({}));
     QCOMPARE(script.count("recover"), 1);
-    QCOMPARE(takeAll(*source).size(), std::size_t(20));
+    QCOMPARE(takeAllOf(*source).size(), std::size_t(20));
 }
 
 void NoddingRecoveryTest::aReleaseIsForOneBeginAlone()
@@ -106,7 +107,7 @@ void NoddingRecoveryTest::aReleaseIsForOneBeginAlone()
     DeviceScript script;
     bool isAlarmed = false;
     script.onArm = [&] { return isAlarmed ? alarm() : Result<void>{}; };
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     source->release();
     QVERIFY(source->begin({}));
     QVERIFY(source->end());
@@ -123,7 +124,7 @@ void NoddingRecoveryTest::theLaserScansBeforeTheUnitIsArmed()
 {
     DeviceScript script;
     script.laserStart = 3s;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
 
     QVERIFY(source->begin({}));
 
@@ -142,7 +143,7 @@ void NoddingRecoveryTest::aStopWhileItBeginsIsNoError()
         stop.request_stop();
         return fail(ErrorCode::Interrupted, "arming was stopped");
     };
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
 
     const auto begun = source->begin(stop.get_token());
     const auto slice = source->next(stop.get_token());
@@ -155,7 +156,7 @@ void NoddingRecoveryTest::aStopWhileItBeginsIsNoError()
 void NoddingRecoveryTest::aStopOfMotionWhileItBeginsIsNoErrorAndIsKept()
 {
     DeviceScript script;
-    std::unique_ptr<NoddingSource> source = openOn(script, plan());
+    std::unique_ptr<NoddingSource> source = openOn(script, recoveryPlan());
     script.onArm = [&]() -> Result<void> {
         if (script.count("arm") > 1)
             return {};
@@ -170,13 +171,13 @@ void NoddingRecoveryTest::aStopOfMotionWhileItBeginsIsNoErrorAndIsKept()
     QVERIFY(!source->begin({}));
     source->release();
     QVERIFY(source->resume());
-    QCOMPARE(takeAll(*source).size(), std::size_t(20));
+    QCOMPARE(takeAllOf(*source).size(), std::size_t(20));
 }
 
 void NoddingRecoveryTest::aStopOfMotionStaysUntilItIsReleased()
 {
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->stopMotion());
 
     const auto begun = source->begin({});
@@ -190,13 +191,13 @@ void NoddingRecoveryTest::aStopOfMotionStaysUntilItIsReleased()
     source->release();
     QCOMPARE(script.count("arm") + script.count("move"), 0);
     QVERIFY(source->begin({}));
-    QCOMPARE(takeAll(*source).size(), std::size_t(20));
+    QCOMPARE(takeAllOf(*source).size(), std::size_t(20));
 }
 
 void NoddingRecoveryTest::aStopOfMotionSilencesTheLaser()
 {
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->begin({}));
     QVERIFY(source->next({}));
     std::stop_source stop;
@@ -210,7 +211,7 @@ void NoddingRecoveryTest::aStopOfMotionSilencesTheLaser()
         }
     };
 
-    takeAll(*source, stop.get_token());
+    takeAllOf(*source, stop.get_token());
 
     QCOMPARE(script.firstFrom("hold", 0ns), stoppedAt);
     QVERIFY(script.firstFrom("laser stop", stoppedAt) <= stoppedAt + 200ms);
@@ -220,7 +221,7 @@ void NoddingRecoveryTest::aStopOfMotionSilencesTheLaser()
 void NoddingRecoveryTest::aPauseAndTheEndStopInOrder()
 {
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->begin({}));
     QVERIFY(source->next({}));
     const Time paused = script.clock.now();
@@ -232,7 +233,7 @@ void NoddingRecoveryTest::aPauseAndTheEndStopInOrder()
     };
 
     QVERIFY(source->pause());
-    const auto rest = takeAll(*source);
+    const auto rest = takeAllOf(*source);
     QVERIFY(source->end());
 
     QCOMPARE(rest.size(), std::size_t(19));
@@ -246,7 +247,7 @@ void NoddingRecoveryTest::aPauseAndTheEndStopInOrder()
 void NoddingRecoveryTest::aDeviceThatIsLostInAPauseIsToldAtOnce()
 {
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->begin({}));
     QVERIFY(source->next({}));
     QVERIFY(source->pause());
@@ -263,7 +264,7 @@ void NoddingRecoveryTest::aDeviceThatIsLostInAPauseIsToldAtOnce()
 void NoddingRecoveryTest::aPauseThatCannotStopTheHeadIsAFault()
 {
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->begin({}));
     QVERIFY(source->next({}));
     script.onStop = unplugged;
@@ -279,7 +280,7 @@ void NoddingRecoveryTest::aUnitThatTellsNoAngleIsGivenUp()
 {
     DeviceScript script;
     script.hasSamples = false;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
 
     const auto begun = source->begin({});
 
@@ -294,7 +295,7 @@ void NoddingRecoveryTest::aLaserThatTellsNothingIsGivenUpBeforeAnythingMoves()
 {
     DeviceScript script;
     script.silentFrom = 0ns;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
 
     const auto begun = source->begin({});
 
@@ -306,13 +307,13 @@ void NoddingRecoveryTest::aLaserThatTellsNothingIsGivenUpBeforeAnythingMoves()
 void NoddingRecoveryTest::theHeadStopsWhileTheLaserIsSilent()
 {
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->begin({}));
     QVERIFY(source->next({}));
     script.silentFrom = script.clock.now() + 100ms;
     script.silentTo = script.silentFrom + 2s;
 
-    const auto slices = takeAll(*source);
+    const auto slices = takeAllOf(*source);
 
     QCOMPARE(slices.size(), std::size_t(19));
     QCOMPARE(slices.back().step, 19);
@@ -326,10 +327,10 @@ void NoddingRecoveryTest::aHeadThatRestsBesideItsGoalHasArrived()
     DeviceScript script;
     script.tolerance = degrees(1.25);  // five steps of the unit
     script.sag = degrees(1.2);
-    const auto source = openOn(script, plan(Mode::StepAndStare));
+    const auto source = openOn(script, recoveryPlan(Mode::StepAndStare));
 
     QVERIFY(source->begin({}));
-    const auto slices = takeAll(*source);
+    const auto slices = takeAllOf(*source);
 
     QCOMPARE(slices.size(), std::size_t(20));
     QVERIFY(std::abs(slices[3].tilt - degrees(83.0 - 1.2)) < 1e-9);
@@ -352,7 +353,7 @@ void NoddingRecoveryTest::slicesThatWereLostAreTakenAgain()
     QFETCH(int, from);
     QFETCH(int, lost);
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->begin({}));
     std::vector<ScanSlice> slices;
     for (int i = 0; i < from; ++i)
@@ -360,7 +361,7 @@ void NoddingRecoveryTest::slicesThatWereLostAreTakenAgain()
     int left = lost;
     script.losesTurn = [&](Time turn) { return turn > script.clock.now() - 25ms && left-- > 0; };
 
-    for (const ScanSlice& slice : takeAll(*source))
+    for (const ScanSlice& slice : takeAllOf(*source))
         slices.push_back(slice);
 
     QCOMPARE(slices.size(), std::size_t(20));
@@ -372,12 +373,12 @@ void NoddingRecoveryTest::slicesThatWereLostAreTakenAgain()
 void NoddingRecoveryTest::slicesThatAreLostForGoodAreCounted()
 {
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->begin({}));
     // Whenever the head is there nothing is heard of the laser.
     script.losesTurn = [&](Time turn) { return std::abs(script.pitchAt(turn) - degrees(85.0)) < degrees(0.5); };
 
-    const auto slices = takeAll(*source);
+    const auto slices = takeAllOf(*source);
 
     QCOMPARE(slices.size(), std::size_t(19));
     QCOMPARE(slices.back().step, 19);
@@ -408,7 +409,7 @@ void NoddingRecoveryTest::theScanDoesNotGoOnWithAnotherDevice()
     QFETCH(QString, now);
     QFETCH(QString, before);
     DeviceScript script;
-    const auto source = openOn(script, plan());
+    const auto source = openOn(script, recoveryPlan());
     QVERIFY(source->begin({}));
     QVERIFY(source->next({}));
     script.onSample = unplugged;
@@ -430,10 +431,10 @@ void NoddingRecoveryTest::theScanDoesNotGoOnWithAnotherDevice()
     script.limits = limits;
     script.unit = unit;
     script.unitHighest = unitHighest;
-    QCOMPARE(takeAll(*source).size(), std::size_t(19));
+    QCOMPARE(takeAllOf(*source).size(), std::size_t(19));
 }
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::NoddingRecoveryTest)
+PLANEWRIGHT_TEST(planewright::NoddingRecoveryTest)
 #include "nodding_recovery_test.moc"

@@ -12,6 +12,7 @@
 #include "devices/emulated/emulated_motor.h"
 #include "tests/devices/nodding/emulated_scanner.h"
 #include "tests/devices/nodding/watched_link.h"
+#include "tests/test_program.h"
 
 using namespace std::chrono_literals;
 
@@ -293,6 +294,7 @@ void NoddingSourceTest::aPauseHoldsTheHeadAndLosesNoSlice()
         QVERIFY(scanner->resume().has_value());
     };
     const auto slices = takeAll(*scanner);
+    onRead = nullptr;  // what it looks at goes before the scanner does
 
     QVERIFY(held.has_value());
     QVERIFY(moved < degrees(0.5));
@@ -449,5 +451,5 @@ void NoddingSourceTest::aPlanThatCannotBeIsRefusedBeforeAnythingMoves()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::NoddingSourceTest)
+PLANEWRIGHT_TEST(planewright::NoddingSourceTest)
 #include "nodding_source_test.moc"

@@ -10,15 +10,16 @@
 #include "devices/transport/dialogue_recorder.h"
 #include "devices/transport/replayed_talk.h"
 #include "tests/devices/nodding/emulated_scanner.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
 using namespace std::chrono_literals;
-using Tilt = EmulatedRigSetup::Tilt;
 
 /// A whole scan is recorded, every byte of both devices, and taken again from the record.
 class ReplayedScanTest : public QObject {
     Q_OBJECT
+    using Tilt = EmulatedRigSetup::Tilt;
 
 private slots:
     void theSameSlicesComeAgain_data();
@@ -47,7 +48,7 @@ ScanPlan shortPlan()
 }
 
 /// All slices; `pause` passes between two of them.
-std::vector<ScanSlice> takeAll(NoddingSource& scanner, FakeClock& clock, std::chrono::nanoseconds pause)
+std::vector<ScanSlice> takeAllWithPause(NoddingSource& scanner, FakeClock& clock, std::chrono::nanoseconds pause)
 {
     std::vector<ScanSlice> slices;
     for (;;) {
@@ -66,7 +67,7 @@ std::vector<ScanSlice> scan(NoddingDevices devices, FakeClock& clock, std::chron
     auto scanner = NoddingSource::open(std::move(devices), shortPlan(), clock, {});
     if (scanner) {
         if (const auto begun = (*scanner)->begin({}); begun)
-            return takeAll(**scanner, clock, pause);
+            return takeAllWithPause(**scanner, clock, pause);
         else
             scanner = tl::unexpected{begun.error()};
     }
@@ -198,5 +199,5 @@ void ReplayedScanTest::whoAsksAtOtherMomentsIsAnsweredToo()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ReplayedScanTest)
+PLANEWRIGHT_TEST(planewright::ReplayedScanTest)
 #include "replayed_scan_test.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/devices/nodding/still_unit.h"
+#include "tests/test_program.h"
 
 using namespace std::chrono_literals;
 
@@ -185,5 +186,5 @@ void ScanPlanTest::whatTheDevicesCannotDoIsSaid()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScanPlanTest)
+PLANEWRIGHT_TEST(planewright::ScanPlanTest)
 #include "scan_plan_test.moc"

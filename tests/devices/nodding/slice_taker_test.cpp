@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/devices/nodding/still_unit.h"
+#include "tests/test_program.h"
 
 using namespace std::chrono_literals;
 
@@ -357,5 +358,5 @@ void SliceTakerTest::aHeadThatNeverGetsThereIsSeen()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SliceTakerTest)
+PLANEWRIGHT_TEST(planewright::SliceTakerTest)
 #include "slice_taker_test.moc"

@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 using namespace std::chrono_literals;
 
 namespace planewright {
@@ -143,5 +145,5 @@ void TiltTrackTest::samplesOfSecondsAgoAreForgotten()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::TiltTrackTest)
+PLANEWRIGHT_TEST(planewright::TiltTrackTest)
 #include "tilt_track_test.moc"

@@ -14,6 +14,7 @@
 #include "tests/devices/nodding/same_planes.h"
 #include "tests/devices/transport/far_end.h"
 #include "tests/devices/transport/usb_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -219,5 +220,5 @@ void UsbScanTest::aScanComesThroughUsb()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::UsbScanTest)
+PLANEWRIGHT_TEST(planewright::UsbScanTest)
 #include "usb_scan_test.moc"

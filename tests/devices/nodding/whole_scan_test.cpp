@@ -6,6 +6,7 @@
 #include "core/simulation/nodding_scanner.h"
 #include "tests/devices/nodding/emulated_scanner.h"
 #include "tests/devices/nodding/same_planes.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -65,5 +66,5 @@ void WholeScanTest::itsPlanesAreThoseOfTheSimulator()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::WholeScanTest)
+PLANEWRIGHT_TEST(planewright::WholeScanTest)
 #include "whole_scan_test.moc"

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -132,5 +133,5 @@ void ReplayedRecordingTest::goesOnStepByStepWhilePaused()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ReplayedRecordingTest)
+PLANEWRIGHT_TEST(planewright::ReplayedRecordingTest)
 #include "replayed_recording_test.moc"

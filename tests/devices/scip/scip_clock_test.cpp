@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "devices/scip/scip_stamps.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -50,7 +51,7 @@ constexpr Time kEnd = 18'750us;
 constexpr Time kPeriod = 25ms;
 
 /// A laser whose clock begins at some moment of the host's and may run wrongly.
-struct Laser {
+struct TickingLaser {
     Time zero{0};
     double drift = 0.0;
 
@@ -75,7 +76,7 @@ struct Errors {
 };
 
 /// A second's worth of answers in time mode: 1 ms there, 1 ms back, and longer every other time.
-void ask(ScipClock& clock, const Laser& laser, Time from)
+void ask(ScipClock& clock, const TickingLaser& laser, Time from)
 {
     for (int question = 0; question < 8; ++question) {
         const Time asked = from + question * 20ms;
@@ -195,7 +196,7 @@ void ScipClockTest::nothingIsKnownOfWhatWasForgotten()
 void ScipClockTest::scansComeWhenTheyWereMeasuredByAnswersOfTimeMode()
 {
     std::mt19937 random(1);
-    const Laser laser{-5000s - 400us};
+    const TickingLaser laser{-5000s - 400us};
     ScipClock clock;
     ask(clock, laser, 1s);
     Errors errors;
@@ -211,7 +212,7 @@ void ScipClockTest::scansComeWhenTheyWereMeasuredByAnswersOfTimeMode()
 void ScipClockTest::withoutAnswersScansAreLateByTheWay()
 {
     std::mt19937 random(2);
-    const Laser laser{-5000s};
+    const TickingLaser laser{-5000s};
     ScipClock clock;
     Errors errors;
     for (Time start = 2s; start < 30s; start += kPeriod) {
@@ -226,7 +227,7 @@ void ScipClockTest::withoutAnswersScansAreLateByTheWay()
 
 void ScipClockTest::withoutAnswersTheClocksAreKnownAfterSomeScans()
 {
-    const Laser laser{-5000s};
+    const TickingLaser laser{-5000s};
     ScipClock asked;
     ask(asked, laser, 1s);
     ScipClock unasked;
@@ -240,7 +241,7 @@ void ScipClockTest::withoutAnswersTheClocksAreKnownAfterSomeScans()
 
 void ScipClockTest::theWayIsKnownFromAnswersBefore()
 {
-    const Laser laser{-5000s};
+    const TickingLaser laser{-5000s};
     ScipClock clock;
     ask(clock, laser, 1s);
     for (Time start = 2s; start < 4s; start += kPeriod)
@@ -263,7 +264,7 @@ void ScipClockTest::aClockThatDriftsIsFollowed()
 {
     QFETCH(double, drift);
     std::mt19937 random(3);
-    const Laser laser{-100s, drift};
+    const TickingLaser laser{-100s, drift};
     ScipClock clock;
     ask(clock, laser, 1s);
     Errors errors;
@@ -280,7 +281,7 @@ void ScipClockTest::aClockThatDriftsIsFollowed()
 
 void ScipClockTest::aScanThatIsLateIsToldAndDoesNotMoveTheOthers()
 {
-    const Laser laser{-100s};
+    const TickingLaser laser{-100s};
     ScipClock clock;
     for (Time start = 2s; start < 4s; start += kPeriod)
         QVERIFY(!clock.addScan(laser.stampAt(start), start + kEnd + 3ms, kEnd, kPeriod).isLate);
@@ -295,7 +296,7 @@ void ScipClockTest::aScanThatIsLateIsToldAndDoesNotMoveTheOthers()
 
 void ScipClockTest::theStampOfTheScanBeforeIsToldByItsArrival()
 {
-    const Laser laser{-100s};
+    const TickingLaser laser{-100s};
     ScipClock clock;
     for (Time start = 2s; start < 4s; start += kPeriod)
         clock.addScan(laser.stampAt(start), start + kEnd + 3ms, kEnd, kPeriod);
@@ -311,11 +312,11 @@ void ScipClockTest::theStampOfTheScanBeforeIsToldByItsArrival()
 void ScipClockTest::afterAResetTheWayIsStillKnown()
 {
     ScipClock clock;
-    const Laser before{-100s};
+    const TickingLaser before{-100s};
     ask(clock, before, 1s);
     for (Time start = 2s; start < 4s; start += kPeriod)
         clock.addScan(before.stampAt(start), start + kEnd + 3ms, kEnd, kPeriod);
-    const Laser after{4s - 200us};
+    const TickingLaser after{4s - 200us};
 
     const ScipClock::Scan first = clock.addScan(after.stampAt(4s), 4s + kEnd + 3ms, kEnd, kPeriod);
 
@@ -327,8 +328,8 @@ void ScipClockTest::afterAResetTheWayIsStillKnown()
 void ScipClockTest::answersThatCannotBeTrueAreDropped()
 {
     // It answers 50 ms too little: by that its scans would arrive before they are measured.
-    const Laser laser{-100s};
-    const Laser lie{-100s + 50ms};
+    const TickingLaser laser{-100s};
+    const TickingLaser lie{-100s + 50ms};
     ScipClock clock;
     ask(clock, lie, 1s);
 
@@ -347,8 +348,8 @@ void ScipClockTest::clocksThatDoNotStandAsTheyDidAreComparedAnew_data()
 void ScipClockTest::clocksThatDoNotStandAsTheyDidAreComparedAnew()
 {
     QFETCH(int, jump);
-    const Laser before{-100s};
-    const Laser after{-100s - std::chrono::milliseconds{jump}};
+    const TickingLaser before{-100s};
+    const TickingLaser after{-100s - std::chrono::milliseconds{jump}};
     ScipClock clock;
     ask(clock, before, 1s);
     Time start = 2s;
@@ -376,7 +377,7 @@ void ScipClockTest::clocksThatDoNotStandAsTheyDidAreComparedAnew()
 
 void ScipClockTest::slowAnswersTellNothing()
 {
-    const Laser laser{-100s};
+    const TickingLaser laser{-100s};
     ScipClock clock;
     clock.addAnswer(laser.stampAt(1s + 80ms), 1s, 1s + 100ms);
 
@@ -385,7 +386,7 @@ void ScipClockTest::slowAnswersTellNothing()
 
 void ScipClockTest::theQuickestAnswerCounts()
 {
-    const Laser laser{-100s};
+    const TickingLaser laser{-100s};
     ScipClock clock;
     clock.addAnswer(laser.stampAt(1s + 40ms), 1s, 1s + 42ms);
     clock.addAnswer(laser.stampAt(2s + 1ms), 2s, 2s + 2ms);
@@ -398,5 +399,5 @@ void ScipClockTest::theQuickestAnswerCounts()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipClockTest)
+PLANEWRIGHT_TEST(planewright::ScipClockTest)
 #include "scip_clock_test.moc"

@@ -11,6 +11,7 @@
 #include "devices/emulated/emulated_laser_scan.h"
 #include "tests/devices/scip/laser_bench.h"
 #include "tests/devices/scip/scip_text.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -403,5 +404,5 @@ void ScipConnectTest::aLaserIsConnectedAgainAfterAnError()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipConnectTest)
+PLANEWRIGHT_TEST(planewright::ScipConnectTest)
 #include "scip_connect_test.moc"

@@ -8,6 +8,7 @@
 
 #include "devices/scip/scip_decoder.h"
 #include "tests/devices/scip/scip_text.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -238,5 +239,5 @@ void ScipDamageTest::theStreamGoesOnAfterDamage()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipDamageTest)
+PLANEWRIGHT_TEST(planewright::ScipDamageTest)
 #include "scip_damage_test.moc"

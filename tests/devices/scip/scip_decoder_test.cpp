@@ -7,6 +7,7 @@
 
 #include "devices/scip/scip_encoding.h"
 #include "tests/devices/scip/scip_text.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -425,5 +426,5 @@ void ScipDecoderTest::damageIsCountedByKind()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipDecoderTest)
+PLANEWRIGHT_TEST(planewright::ScipDecoderTest)
 #include "scip_decoder_test.moc"

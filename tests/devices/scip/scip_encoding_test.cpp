@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class ScipEncodingTest : public QObject {
@@ -118,5 +120,5 @@ void ScipEncodingTest::aBlockIsCutIntoLinesOf64()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipEncodingTest)
+PLANEWRIGHT_TEST(planewright::ScipEncodingTest)
 #include "scip_encoding_test.moc"

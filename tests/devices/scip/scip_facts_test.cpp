@@ -8,6 +8,7 @@
 #include "devices/scip/scip_capabilities.h"
 #include "devices/scip/scip_ranges.h"
 #include "tests/devices/scip/scip_text.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -273,5 +274,5 @@ void ScipFactsTest::rangesAreThoseWithinTheLimits()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipFactsTest)
+PLANEWRIGHT_TEST(planewright::ScipFactsTest)
 #include "scip_facts_test.moc"

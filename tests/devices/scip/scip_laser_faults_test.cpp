@@ -9,6 +9,7 @@
 #include "devices/emulated/emulated_laser_faults.h"
 #include "devices/scip/scip_laser.h"
 #include "tests/devices/scip/laser_bench.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -522,5 +523,5 @@ void ScipLaserFaultsTest::whateverHappensScansAreTrue()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipLaserFaultsTest)
+PLANEWRIGHT_TEST(planewright::ScipLaserFaultsTest)
 #include "scip_laser_faults_test.moc"

@@ -7,6 +7,7 @@
 #include "devices/scip/scip_laser.h"
 #include "devices/scip/scip_revival.h"
 #include "tests/devices/scip/laser_bench.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -142,7 +143,7 @@ void ScipLaserRevivalTest::everyFaultIsLoggedWithItsBytes()
     QCOMPARE(log[1].code, std::string{"laser-count"});
     QCOMPARE(log[2].code, std::string{"laser-silent"});
     QVERIFY(log[0].at < log[1].at && log[1].at < log[2].at);
-    for (int i = 0; i < 2; ++i)  // "MD0500058000000" and its line feed
+    for (std::size_t i = 0; i < 2; ++i)  // "MD0500058000000" and its line feed
         QVERIFY2(log[i].bytes.starts_with("4D 44 30 35 30 30 30 35 38 30 30 30 30 30 30 0A"), log[i].bytes.c_str());
     const FaultCounts faults = bench.laser->health().faults;
     QCOMPARE(faults.size(), std::size_t(3));
@@ -207,5 +208,5 @@ void ScipLaserRevivalTest::aNewModelThatAStartAnewCuresScansOn()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipLaserRevivalTest)
+PLANEWRIGHT_TEST(planewright::ScipLaserRevivalTest)
 #include "scip_laser_revival_test.moc"

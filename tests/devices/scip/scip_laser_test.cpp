@@ -11,6 +11,7 @@
 
 #include "core/types/angle.h"
 #include "tests/devices/scip/laser_bench.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -416,5 +417,5 @@ void ScipLaserTest::otherModelsScanToo()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipLaserTest)
+PLANEWRIGHT_TEST(planewright::ScipLaserTest)
 #include "scip_laser_test.moc"

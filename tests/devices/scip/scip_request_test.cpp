@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class ScipRequestTest : public QObject {
@@ -145,5 +147,5 @@ void ScipRequestTest::aMeasurementHasAllItsDigitsAndItsStepsInOrder()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipRequestTest)
+PLANEWRIGHT_TEST(planewright::ScipRequestTest)
 #include "scip_request_test.moc"

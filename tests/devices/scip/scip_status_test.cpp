@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class ScipStatusTest : public QObject {
@@ -105,5 +107,5 @@ void ScipStatusTest::peopleAreToldCodeAndMeaning()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScipStatusTest)
+PLANEWRIGHT_TEST(planewright::ScipStatusTest)
 #include "scip_status_test.moc"

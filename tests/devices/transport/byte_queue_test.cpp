@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -289,5 +290,5 @@ void ByteQueueTest::everyByteComesThroughOnceAndInOrder()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ByteQueueTest)
+PLANEWRIGHT_TEST(planewright::ByteQueueTest)
 #include "byte_queue_test.moc"

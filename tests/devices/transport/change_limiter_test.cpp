@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 using namespace std::chrono_literals;
@@ -95,5 +97,5 @@ void ChangeLimiterTest::afterAStormAChangeIsToldAtOnceAgain()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ChangeLimiterTest)
+PLANEWRIGHT_TEST(planewright::ChangeLimiterTest)
 #include "change_limiter_test.moc"

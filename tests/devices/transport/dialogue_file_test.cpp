@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 using namespace std::chrono_literals;
@@ -263,5 +265,5 @@ void DialogueFileTest::randomBytesNeverDoHarm()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DialogueFileTest)
+PLANEWRIGHT_TEST(planewright::DialogueFileTest)
 #include "dialogue_file_test.moc"

@@ -19,6 +19,7 @@
 #include "tests/devices/echo_device.h"
 #include "tests/devices/fake_clock.h"
 #include "tests/devices/transport/test_socket.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -116,11 +117,11 @@ void DialogueRecorderTest::bothWaysAreRecordedWithTheirTimes()
     DialogueRecorder link{linkTo(device_, clock), std::move(*writer), clock};
 
     clock.advance(10ms);
-    QVERIFY(link.write(bytesOf("QT\n"), clock.now()));
+    QVERIFY(link.write(asBytes("QT\n"), clock.now()));
     std::array<std::uint8_t, 100> into{};
     QVERIFY(link.read(into, clock.now() + 1s, {}));
     clock.advance(1ms);
-    QVERIFY(link.write(bytesOf({"\xFF", 1}), clock.now()));
+    QVERIFY(link.write(asBytes({"\xFF", 1}), clock.now()));
     link.close();
 
     QCOMPARE(text(), std::string("planewright-dialogue 1\n"
@@ -140,7 +141,7 @@ void DialogueRecorderTest::theLinkIsUsedAsIfItWereNotRecorded()
     std::array<std::uint8_t, 2> into{};
 
     QCOMPARE(link.name(), std::string("the echo"));
-    QVERIFY(link.write(bytesOf("abc"), clock.now()));
+    QVERIFY(link.write(asBytes("abc"), clock.now()));
     const auto first = link.read(into, clock.now() + 1s, {});
     const auto second = link.read(into, clock.now() + 1s, {});
     const auto none = link.read(into, clock.now() + 1s, {});
@@ -164,7 +165,7 @@ void DialogueRecorderTest::aLossIsRecordedOnce()
     std::array<std::uint8_t, 8> into{};
 
     QVERIFY(!link.read(into, clock.now() + 1s, {}));
-    QVERIFY(!link.write(bytesOf("a"), clock.now()));
+    QVERIFY(!link.write(asBytes("a"), clock.now()));
     QVERIFY(!link.read(into, clock.now() + 1s, {}));
     link.close();
 
@@ -201,11 +202,11 @@ void DialogueRecorderTest::whatIsRecordedIsPlayedTheSame()
             }
         };
         const auto begun = clock.now();
-        (void)link.write(bytesOf("hello"), clock.now());
+        (void)link.write(asBytes("hello"), clock.now());
         listen(begun + 20ms);
-        (void)link.write(bytesOf("S"), clock.now());
+        (void)link.write(asBytes("S"), clock.now());
         listen(begun + 61ms);
-        (void)link.write(bytesOf("bye"), clock.now());
+        (void)link.write(asBytes("bye"), clock.now());
         listen(begun + 80ms);
         for (auto& [text, at] : came)
             at -= begun;
@@ -259,7 +260,7 @@ void DialogueRecorderTest::aFullDiskEndsTheRecordAndNotTheLink()
         recorderInto(Descriptor{::open("/dev/full", O_WRONLY | O_CLOEXEC)}, linkTo(device_, clock), clock);
 
     QTRY_VERIFY_WITH_TIMEOUT(!link->trouble().empty(), 30'000);
-    QVERIFY(link->write(bytesOf("QT\n"), clock.now()));
+    QVERIFY(link->write(asBytes("QT\n"), clock.now()));
 
     QCOMPARE(readText(*link, 3), std::string("QT\n"));
     QVERIFY2(link->trouble().starts_with("dialogue.txt: the dialogue is recorded no further ("),
@@ -317,7 +318,7 @@ void DialogueRecorderTest::twoThreadsMayUseTheLinkAtOnce()
     std::jthread reader{[&] { received = readText(link, kWrites * 3); }};
 
     for (std::size_t i = 0; i < kWrites; ++i)
-        QVERIFY(link.write(bytesOf("ab\n"), steadyClock().now() + kPatience));
+        QVERIFY(link.write(asBytes("ab\n"), steadyClock().now() + kPatience));
     reader.join();
     link.close();
 
@@ -338,5 +339,5 @@ void DialogueRecorderTest::twoThreadsMayUseTheLinkAtOnce()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DialogueRecorderTest)
+PLANEWRIGHT_TEST(planewright::DialogueRecorderTest)
 #include "dialogue_recorder_test.moc"

@@ -9,6 +9,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class FtdiWireTest : public QObject {
@@ -197,5 +199,5 @@ void FtdiWireTest::halfAStatusIsNothing()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::FtdiWireTest)
+PLANEWRIGHT_TEST(planewright::FtdiWireTest)
 #include "ftdi_wire_test.moc"

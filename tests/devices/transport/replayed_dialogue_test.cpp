@@ -12,6 +12,7 @@
 
 #include "tests/devices/fake_clock.h"
 #include "tests/devices/transport/test_socket.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -79,7 +80,7 @@ void ReplayedDialogueTest::theDeviceAnswersOnlyWhatItWasAsked()
     QVERIFY(link);
 
     QCOMPARE(readOnce(*link, 1s), (Read{"", 1s}));
-    QVERIFY(link->write(bytesOf("QT\n"), clock.now()));
+    QVERIFY(link->write(asBytes("QT\n"), clock.now()));
 
     QCOMPARE(readOnce(*link, 2s).first, std::string("QT\n00P\n\n"));
     QVERIFY(link->isPlayed());
@@ -95,7 +96,7 @@ void ReplayedDialogueTest::answersComeAsLongAfterAsThen()
 
     QCOMPARE(readOnce(*link, 2h), (Read{"hello", 1h + 100us}));
     clock.advance(900us);
-    QVERIFY(link->write(bytesOf("A"), clock.now()));
+    QVERIFY(link->write(asBytes("A"), clock.now()));
 
     QCOMPARE(readOnce(*link, 1h + 2ms), (Read{"", 1h + 2ms}));
     QCOMPARE(readOnce(*link, 2h), (Read{"a", 1h + 3ms}));
@@ -109,10 +110,10 @@ void ReplayedDialogueTest::aHostThatIsLateMakesAllOfItLate()
     QVERIFY(link);
 
     clock.advance(50ms);
-    QVERIFY(link->write(bytesOf("A"), clock.now()));
+    QVERIFY(link->write(asBytes("A"), clock.now()));
     QCOMPARE(readOnce(*link, 1s), (Read{"a", 53ms}));
     clock.advance(10ms);
-    QVERIFY(link->write(bytesOf("B"), clock.now()));
+    QVERIFY(link->write(asBytes("B"), clock.now()));
 
     QCOMPARE(readOnce(*link, 1s), (Read{"b", 65ms}));
 }
@@ -124,7 +125,7 @@ void ReplayedDialogueTest::asFastAsPossibleNothingIsWaitedFor()
     QVERIFY(link);
     clock.advance(7ms);
 
-    QVERIFY(link->write(bytesOf("A"), clock.now()));
+    QVERIFY(link->write(asBytes("A"), clock.now()));
 
     QCOMPARE(readOnce(*link, 1s), (Read{"a", 7ms}));
     QCOMPARE(readOnce(*link, 1s), (Read{"b", 7ms}));
@@ -136,10 +137,10 @@ void ReplayedDialogueTest::theHostMaySayItInOtherPieces()
     const auto link = open("0 > AB\n0 > CD\n1000 < x\n2000 > E\n3000 < y\n", clock);
     QVERIFY(link);
 
-    QVERIFY(link->write(bytesOf("A"), clock.now()));
-    QVERIFY(link->write(bytesOf("BC"), clock.now()));
+    QVERIFY(link->write(asBytes("A"), clock.now()));
+    QVERIFY(link->write(asBytes("BC"), clock.now()));
     QCOMPARE(readOnce(*link, 500ms).first, std::string());
-    QVERIFY(link->write(bytesOf("D"), clock.now()));
+    QVERIFY(link->write(asBytes("D"), clock.now()));
 
     QCOMPARE(readOnce(*link, 1s), (Read{"x", 501ms}));
 }
@@ -150,7 +151,7 @@ void ReplayedDialogueTest::theHostMaySpeakBeforeAllWasRead()
     const auto link = open("0 > A\n1000 < 1\n2000 < 2\n3000 > B\n4000 < 3\n5000 > C\n6000 < 4\n", clock);
     QVERIFY(link);
 
-    QVERIFY(link->write(bytesOf("ABC"), clock.now()));
+    QVERIFY(link->write(asBytes("ABC"), clock.now()));
 
     QCOMPARE(readOnce(*link, 1s), (Read{"1", 1ms}));
     QCOMPARE(readOnce(*link, 1s), (Read{"2", 2ms}));
@@ -195,7 +196,7 @@ void ReplayedDialogueTest::whereTheHostDiffersIsNamed()
     const auto link = open("# a laser\n0 > MD0000\\n\n1 < a\n2 > QT\\n\n", clock);
     QVERIFY(link);
 
-    const auto written = link->write(bytesOf(says.toStdString()), clock.now());
+    const auto written = link->write(asBytes(says.toStdString()), clock.now());
 
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::DeviceLost);
@@ -210,7 +211,7 @@ void ReplayedDialogueTest::aHostThatSaysMoreIsNamed()
     const auto link = open("0 > QT\\n\n1 < a\n", clock);
     QVERIFY(link);
 
-    const auto written = link->write(bytesOf("QT\nBM\n"), clock.now());
+    const auto written = link->write(asBytes("QT\nBM\n"), clock.now());
 
     QVERIFY(!written);
     QVERIFY2(written.error().message.starts_with(path_ + ":3: the dialogue has nothing more from the host, which now "
@@ -224,10 +225,10 @@ void ReplayedDialogueTest::afterADifferenceAllCallsFail()
     const auto link = open("0 < a\n0 > QT\\n\n", clock);
     QVERIFY(link);
 
-    const auto first = link->write(bytesOf("BM\n"), clock.now());
+    const auto first = link->write(asBytes("BM\n"), clock.now());
 
     QVERIFY(!first);
-    const auto second = link->write(bytesOf("QT\n"), clock.now());
+    const auto second = link->write(asBytes("QT\n"), clock.now());
     QVERIFY(!second);
     QCOMPARE(second.error().message, first.error().message);
     QCOMPARE(readOnce(*link, 1s).first, "<" + first.error().message + ">");
@@ -238,7 +239,7 @@ void ReplayedDialogueTest::theRecordedLossIsALoss()
     FakeClock clock;
     const auto link = open("0 > A\n5000 < a\n9000 ! /dev/ttyACM0: the device is gone\n", clock);
     QVERIFY(link);
-    QVERIFY(link->write(bytesOf("A"), clock.now()));
+    QVERIFY(link->write(asBytes("A"), clock.now()));
     QCOMPARE(readOnce(*link, 1s), (Read{"a", 5ms}));
     QCOMPARE(readOnce(*link, 8ms), (Read{"", 8ms}));
 
@@ -247,7 +248,7 @@ void ReplayedDialogueTest::theRecordedLossIsALoss()
     QCOMPARE(end, "<" + path_ + ":4: the link was lost here: /dev/ttyACM0: the device is gone>");
     QVERIFY(clock.now() == 9ms);
     QVERIFY(link->isPlayed());
-    QVERIFY(!link->write(bytesOf("A"), clock.now()));
+    QVERIFY(!link->write(asBytes("A"), clock.now()));
 }
 
 void ReplayedDialogueTest::afterTheEndTheDeviceIsSilent()
@@ -283,7 +284,7 @@ void ReplayedDialogueTest::closingWakesTheReader()
     reader.join();
 
     QVERIFY(lost);
-    QVERIFY(!link->write(bytesOf("A"), steadyClock().now()));
+    QVERIFY(!link->write(asBytes("A"), steadyClock().now()));
 }
 
 void ReplayedDialogueTest::aStopEndsReading()
@@ -310,7 +311,7 @@ void ReplayedDialogueTest::whatTheHostSaysWakesTheReader()
     std::string read;
     std::jthread reader{[&] { read = readOnce(*link, steadyClock().now() + kPatience).first; }};
 
-    QVERIFY(link->write(bytesOf("A"), steadyClock().now()));
+    QVERIFY(link->write(asBytes("A"), steadyClock().now()));
     reader.join();
 
     QCOMPARE(read, std::string("a"));
@@ -318,5 +319,5 @@ void ReplayedDialogueTest::whatTheHostSaysWakesTheReader()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ReplayedDialogueTest)
+PLANEWRIGHT_TEST(planewright::ReplayedDialogueTest)
 #include "replayed_dialogue_test.moc"

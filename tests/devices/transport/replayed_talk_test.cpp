@@ -10,6 +10,7 @@
 
 #include "tests/devices/fake_clock.h"
 #include "tests/devices/transport/test_socket.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -85,7 +86,7 @@ void ReplayedTalkTest::whatMeansTheSameIsAnswered()
     clock.advance(1h);
     QCOMPARE(readAll(*link, clock.now()), std::string{});
 
-    QVERIFY(link->write(bytesOf("go:77"), clock.now()));
+    QVERIFY(link->write(asBytes("go:77"), clock.now()));
 
     QCOMPARE(readAll(*link, 1h + 4ms), std::string{});
     QCOMPARE(readAll(*link, 1h + 6ms), std::string{"gone"});
@@ -97,10 +98,10 @@ void ReplayedTalkTest::questionsMayBeLeftOutWithTheirAnswers()
     FakeClock clock;
     const auto link = open("0 > ?a\n1000 < 1\n2000 > ?a\n3000 < 2\n4000 > go\n5000 < done\n", clock);
     QVERIFY(link);
-    QVERIFY(link->write(bytesOf("?a"), clock.now()));
+    QVERIFY(link->write(asBytes("?a"), clock.now()));
     QCOMPARE(readAll(*link, 2ms), std::string{"1"});
 
-    QVERIFY(link->write(bytesOf("go"), clock.now()));
+    QVERIFY(link->write(asBytes("go"), clock.now()));
 
     QCOMPARE(readAll(*link, 1s), std::string{"done"});
     QVERIFY(link->isPlayed());
@@ -111,14 +112,14 @@ void ReplayedTalkTest::aQuestionThatIsAskedOnceMoreHasTheSameAnswer()
     FakeClock clock;
     const auto link = open("0 > ?a\n1000 < 1\n4000 > go\n5000 < done\n", clock);
     QVERIFY(link);
-    QVERIFY(link->write(bytesOf("?a"), clock.now()));
+    QVERIFY(link->write(asBytes("?a"), clock.now()));
     QCOMPARE(readAll(*link, 2ms), std::string{"1"});
 
-    QVERIFY(link->write(bytesOf("?a"), clock.now()));
+    QVERIFY(link->write(asBytes("?a"), clock.now()));
 
     QCOMPARE(readAll(*link, 2500us), std::string{});
     QCOMPARE(readAll(*link, 3500us), std::string{"1"});  // as long after it as then
-    QVERIFY(link->write(bytesOf("go"), clock.now()));
+    QVERIFY(link->write(asBytes("go"), clock.now()));
     QCOMPARE(readAll(*link, 1s), std::string{"done"});
 }
 
@@ -127,10 +128,10 @@ void ReplayedTalkTest::whatSpeaksByItselfGoesOnWhereQuestionsAreLeftOut()
     FakeClock clock;
     const auto link = open("0 > go\n1000 < 1\n2000 > ?a\n3000 < 2\n4000 > stop\n5000 < 3\n", clock, false);
     QVERIFY(link);
-    QVERIFY(link->write(bytesOf("go"), clock.now()));
+    QVERIFY(link->write(asBytes("go"), clock.now()));
     QCOMPARE(readAll(*link, 2ms), std::string{"1"});
 
-    QVERIFY(link->write(bytesOf("stop"), clock.now()));
+    QVERIFY(link->write(asBytes("stop"), clock.now()));
 
     QCOMPARE(readAll(*link, 1s), std::string{"23"});
 }
@@ -141,8 +142,8 @@ void ReplayedTalkTest::whatWasRepeatedNeedNotBe()
     const auto link = open("0 > go:1\n50000 > go:1\n51000 < gone\n60000 > stop\n61000 < rests\n", clock, false);
     QVERIFY(link);
 
-    QVERIFY(link->write(bytesOf("go:9"), clock.now()));
-    QVERIFY(link->write(bytesOf("stop"), clock.now()));
+    QVERIFY(link->write(asBytes("go:9"), clock.now()));
+    QVERIFY(link->write(asBytes("stop"), clock.now()));
 
     QCOMPARE(readAll(*link, 1s), std::string{"gonerests"});
 }
@@ -153,14 +154,14 @@ void ReplayedTalkTest::anotherMeaningEndsIt()
     const auto link = open("0 > ?a\n1000 < 1\n2500 > go\n3000 < gone\n", clock);
     QVERIFY(link);
 
-    const auto said = link->write(bytesOf("stop"), clock.now());
+    const auto said = link->write(asBytes("stop"), clock.now());
 
     QVERIFY(!said);
     QCOMPARE(said.error().code, ErrorCode::DeviceLost);
     QVERIFY2(said.error().message.find("the host said '?a' and now says 'stop'") != std::string::npos,
              said.error().message.c_str());
     QVERIFY(said.error().message.starts_with(path_ + ": "));
-    QVERIFY(!link->write(bytesOf("?a"), clock.now()));
+    QVERIFY(!link->write(asBytes("?a"), clock.now()));
 }
 
 void ReplayedTalkTest::questionsWithoutEndAreNotAnswered()
@@ -168,10 +169,10 @@ void ReplayedTalkTest::questionsWithoutEndAreNotAnswered()
     FakeClock clock;
     const auto link = open("0 > ?a\n1000 < 1\n", clock);
     QVERIFY(link);
-    QVERIFY(link->write(bytesOf("?a"), clock.now()));
+    QVERIFY(link->write(asBytes("?a"), clock.now()));
 
     int asked = 0;
-    while (asked < 10'000 && link->write(bytesOf("?a"), clock.now()))
+    while (asked < 10'000 && link->write(asBytes("?a"), clock.now()))
         ++asked;
 
     QCOMPARE(asked, ReplayedTalk::kMostRepeated);
@@ -182,7 +183,7 @@ void ReplayedTalkTest::theRecordedLossIsALoss()
     FakeClock clock;
     const auto link = open("0 > go\n1000 < 1\n2000 ! usb 1-4: the device is gone\n", clock);
     QVERIFY(link);
-    QVERIFY(link->write(bytesOf("go"), clock.now()));
+    QVERIFY(link->write(asBytes("go"), clock.now()));
 
     const std::string text = readAll(*link, 1s);
 
@@ -191,5 +192,5 @@ void ReplayedTalkTest::theRecordedLossIsALoss()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ReplayedTalkTest)
+PLANEWRIGHT_TEST(planewright::ReplayedTalkTest)
 #include "replayed_talk_test.moc"

@@ -17,6 +17,7 @@
 #include "tests/devices/fake_clock.h"
 #include "tests/devices/transport/test_pty.h"
 #include "tests/devices/transport/test_socket.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -50,7 +51,7 @@ Result<std::unique_ptr<Transport>> openLine(const TestPty& pty, const Clock& clo
     return openSerialLine(pty.path, 115200, clock);
 }
 
-bool holds(const std::string& text, const std::string& part)
+bool contains(const std::string& text, const std::string& part)
 {
     return text.find(part) != std::string::npos;
 }
@@ -66,7 +67,7 @@ void SerialLineTest::everyByteGoesThroughAsItIs()
     std::string all(256, '\0');
     std::iota(all.begin(), all.end(), '\0');
 
-    QVERIFY((*line)->write(bytesOf(all), steadyClock().now() + kPatience));
+    QVERIFY((*line)->write(asBytes(all), steadyClock().now() + kPatience));
     QVERIFY(receiveText(pty.master, all.size()) == all);
     QVERIFY(sendText(pty.master, all));
 
@@ -145,7 +146,7 @@ void SerialLineTest::aLineThatHungUpTakesNothing()
 
     pty.master.reset();
 
-    const auto written = (*line)->write(bytesOf("QT\n"), steadyClock().now() + kPatience);
+    const auto written = (*line)->write(asBytes("QT\n"), steadyClock().now() + kPatience);
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::DeviceLost);
 }
@@ -181,7 +182,7 @@ void SerialLineTest::aPortThatIsHeldIsBusy()
 
     QVERIFY(!second);
     QCOMPARE(second.error().code, ErrorCode::NoDevice);
-    QVERIFY2(second.error().message.starts_with(pty.path + ": another program holds the port"),
+    QVERIFY2(second.error().message.starts_with(pty.path + ": another program contains the port"),
              second.error().message.c_str());
     // Whoever was refused has changed nothing.
     QVERIFY(sendText(pty.master, "abc"));
@@ -216,7 +217,7 @@ void SerialLineTest::aPortThatTakesNothingEndsTheLink()
 
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::DeviceLost);
-    QVERIFY2(holds(written.error().message, "did not take"), written.error().message.c_str());
+    QVERIFY2(contains(written.error().message, "did not take"), written.error().message.c_str());
 }
 
 void SerialLineTest::closingWakesTheReader()
@@ -266,12 +267,12 @@ void SerialLineTest::noPermissionIsExplainedWithTheCommand()
     // Root may open anything, so that this is told of the text and not of a file.
     const std::string text = serialTroubleText(EACCES, "/dev/ttyNOWHERE7");
 
-    QVERIFY2(holds(text, "sudo usermod -aG dialout \"$USER\""), text.c_str());
-    QVERIFY2(holds(text, "/etc/udev/rules.d/"), text.c_str());
-    QVERIFY2(holds(serialTroubleText(EBUSY, "/dev/ttyNOWHERE7"), "another program"), text.c_str());
+    QVERIFY2(contains(text, "sudo usermod -aG dialout \"$USER\""), text.c_str());
+    QVERIFY2(contains(text, "/etc/udev/rules.d/"), text.c_str());
+    QVERIFY2(contains(serialTroubleText(EBUSY, "/dev/ttyNOWHERE7"), "another program"), text.c_str());
 }
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SerialLineTest)
+PLANEWRIGHT_TEST(planewright::SerialLineTest)
 #include "serial_line_test.moc"

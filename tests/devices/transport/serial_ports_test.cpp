@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/devices/transport/emulated_ports.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -72,5 +73,5 @@ void SerialPortsTest::aPortThatIsPulledOutIsNotListed()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::SerialPortsTest)
+PLANEWRIGHT_TEST(planewright::SerialPortsTest)
 #include "serial_ports_test.moc"

@@ -14,6 +14,7 @@
 
 #include "tests/devices/fake_clock.h"
 #include "tests/devices/transport/test_socket.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -91,7 +92,7 @@ struct DeafListener {
     }
 };
 
-bool holds(const std::string& text, const std::string& part)
+bool hasPart(const std::string& text, const std::string& part)
 {
     return text.find(part) != std::string::npos;
 }
@@ -114,7 +115,7 @@ void TcpLinkTest::bytesGoBothWays()
     QVERIFY2(link, link ? "" : link.error().message.c_str());
     const Descriptor peer = listener.accept();
 
-    QVERIFY((*link)->write(bytesOf("QT\n"), steadyClock().now() + kPatience));
+    QVERIFY((*link)->write(asBytes("QT\n"), steadyClock().now() + kPatience));
     QCOMPARE(receiveText(peer, 3), std::string("QT\n"));
     QVERIFY(sendText(peer, "QT\n00P\n\n"));
 
@@ -161,7 +162,7 @@ void TcpLinkTest::aRefusalIsExplained()
     QCOMPARE(link.error().code, ErrorCode::NoDevice);
     QVERIFY2(link.error().message.starts_with("127.0.0.1:" + std::to_string(bound.port()) + ": refused"),
              link.error().message.c_str());
-    QVERIFY(holds(link.error().message, "one client at a time"));
+    QVERIFY(hasPart(link.error().message, "one client at a time"));
 }
 
 void TcpLinkTest::aNameThatIsNoneIsExplained()
@@ -173,7 +174,7 @@ void TcpLinkTest::aNameThatIsNoneIsExplained()
 
     QVERIFY(!link);
     QCOMPARE(link.error().code, ErrorCode::NoDevice);
-    QVERIFY2(holds(link.error().message, "there is no host of this name"), link.error().message.c_str());
+    QVERIFY2(hasPart(link.error().message, "there is no host of this name"), link.error().message.c_str());
 }
 
 void TcpLinkTest::aHostThatDoesNotAnswerIsGivenUp()
@@ -185,7 +186,7 @@ void TcpLinkTest::aHostThatDoesNotAnswerIsGivenUp()
 
     QVERIFY(!link);
     QCOMPARE(link.error().code, ErrorCode::NoDevice);
-    QVERIFY2(holds(link.error().message, "does not answer"), link.error().message.c_str());
+    QVERIFY2(hasPart(link.error().message, "does not answer"), link.error().message.c_str());
     QVERIFY(steadyClock().now() - began >= 100ms);
 }
 
@@ -214,8 +215,8 @@ void TcpLinkTest::aHostThatClosesAtOnceServesAnother()
 
     const std::string text = readText(**link, 1);
 
-    QVERIFY2(holds(text, "closed the connection before it said anything"), text.c_str());
-    QVERIFY2(holds(text, "one client at a time"), text.c_str());
+    QVERIFY2(hasPart(text, "closed the connection before it said anything"), text.c_str());
+    QVERIFY2(hasPart(text, "one client at a time"), text.c_str());
 }
 
 void TcpLinkTest::whatCameBeforeTheEndIsReadFirst()
@@ -231,8 +232,8 @@ void TcpLinkTest::whatCameBeforeTheEndIsReadFirst()
     const std::string text = readText(**link, 100);
 
     QVERIFY2(text.starts_with("half a fra<127.0.0.1:"), text.c_str());
-    QVERIFY2(holds(text, "closed the connection; check its power"), text.c_str());
-    const auto written = (*link)->write(bytesOf("QT\n"), steadyClock().now() + kPatience);
+    QVERIFY2(hasPart(text, "closed the connection; check its power"), text.c_str());
+    const auto written = (*link)->write(asBytes("QT\n"), steadyClock().now() + kPatience);
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::DeviceLost);
     QVERIFY(text.ends_with("<" + written.error().message + ">"));
@@ -252,7 +253,7 @@ void TcpLinkTest::aConnectionThatIsBrokenOffIsLost()
     peer.reset();
 
     const std::string text = readText(**link, 1);
-    QVERIFY2(holds(text, "broke off the connection"), text.c_str());
+    QVERIFY2(hasPart(text, "broke off the connection"), text.c_str());
 }
 
 void TcpLinkTest::aSilentHostIsNotLost()
@@ -307,11 +308,11 @@ void TcpLinkTest::aHostThatIsGoneWithoutAWordIsLost()
     QVERIFY(hearsNothingAnyMore(peer));
     const auto since = steadyClock().now();
     if (writes)
-        QVERIFY((*link)->write(bytesOf("VV\n"), since + kPatience));
+        QVERIFY((*link)->write(asBytes("VV\n"), since + kPatience));
 
     const std::string text = readText(**link, 1);
 
-    QVERIFY2(holds(text, "connect it again"), text.c_str());
+    QVERIFY2(hasPart(text, "connect it again"), text.c_str());
     QVERIFY(steadyClock().now() - since >= kSilenceLimit - 1s);
     QVERIFY(steadyClock().now() - since <= 10 * kSilenceLimit);
 }
@@ -326,7 +327,7 @@ void TcpLinkTest::manyBytesGoToASlowHostWhole()
     for (std::size_t i = 0; i < sent.size(); ++i)
         sent[i] = static_cast<char>(i * i % 251);
     std::atomic<bool> written{false};
-    std::jthread writer{[&] { written = (*link)->write(bytesOf(sent), steadyClock().now() + kPatience).has_value(); }};
+    std::jthread writer{[&] { written = (*link)->write(asBytes(sent), steadyClock().now() + kPatience).has_value(); }};
 
     const std::string received = receiveText(peer, sent.size());
 
@@ -346,7 +347,7 @@ void TcpLinkTest::aHostThatTakesNothingEndsTheLink()
 
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::DeviceLost);
-    QVERIFY2(holds(written.error().message, "did not take"), written.error().message.c_str());
+    QVERIFY2(hasPart(written.error().message, "did not take"), written.error().message.c_str());
     QCOMPARE(readText(**link, 1), "<" + written.error().message + ">");
 }
 
@@ -385,10 +386,10 @@ void TcpLinkTest::aClosedLinkSendsWhatWasWrittenAndNothingMore()
     QVERIFY(link);
     const Descriptor peer = listener.accept();
     QVERIFY(sendText(peer, "that nobody reads"));
-    QVERIFY((*link)->write(bytesOf("QT\n"), steadyClock().now() + kPatience));
+    QVERIFY((*link)->write(asBytes("QT\n"), steadyClock().now() + kPatience));
 
     (*link)->close();
-    const auto late = (*link)->write(bytesOf("BM\n"), steadyClock().now() + kPatience);
+    const auto late = (*link)->write(asBytes("BM\n"), steadyClock().now() + kPatience);
 
     QVERIFY(!late);
     QCOMPARE(late.error().code, ErrorCode::DeviceLost);
@@ -418,5 +419,5 @@ void TcpLinkTest::aStopEndsReading()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::TcpLinkTest)
+PLANEWRIGHT_TEST(planewright::TcpLinkTest)
 #include "tcp_link_test.moc"

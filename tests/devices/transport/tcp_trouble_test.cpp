@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "devices/clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -120,5 +121,5 @@ void TcpTroubleTest::hostsArePutIntoBracketsWhereTheyHaveColons()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::TcpTroubleTest)
+PLANEWRIGHT_TEST(planewright::TcpTroubleTest)
 #include "tcp_trouble_test.moc"

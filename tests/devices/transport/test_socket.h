@@ -68,7 +68,7 @@ inline Descriptor connectPlainly(std::uint16_t port)
     return socket;
 }
 
-inline std::vector<std::uint8_t> bytesOf(std::string_view text)
+inline std::vector<std::uint8_t> asBytes(std::string_view text)
 {
     return {text.begin(), text.end()};
 }

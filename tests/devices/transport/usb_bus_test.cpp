@@ -10,6 +10,7 @@
 
 #include "devices/transport/usb_error.h"
 #include "tests/devices/transport/usb_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -431,5 +432,5 @@ void UsbBusTest::waitingCostsNothing()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::UsbBusTest)
+PLANEWRIGHT_TEST(planewright::UsbBusTest)
 #include "usb_bus_test.moc"

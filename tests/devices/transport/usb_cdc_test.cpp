@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "tests/devices/transport/usb_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -417,5 +418,5 @@ void UsbCdcTest::aStallWhileSendingIsFreedUpToThreeTimes()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::UsbCdcTest)
+PLANEWRIGHT_TEST(planewright::UsbCdcTest)
 #include "usb_cdc_test.moc"

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/devices/transport/usb_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -233,5 +234,5 @@ void UsbFtdiTest::whatIsSetAfterTheEndIsAnError()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::UsbFtdiTest)
+PLANEWRIGHT_TEST(planewright::UsbFtdiTest)
 #include "usb_ftdi_test.moc"

@@ -18,6 +18,7 @@
 #include "devices/transport/usb_ftdi.h"
 #include "tests/devices/transport/far_end.h"
 #include "tests/devices/transport/usb_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -320,5 +321,5 @@ void UsbOpenTest::theBusStaysUntilItsLastTransportGoes()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::UsbOpenTest)
+PLANEWRIGHT_TEST(planewright::UsbOpenTest)
 #include "usb_open_test.moc"

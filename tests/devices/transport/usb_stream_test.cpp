@@ -10,6 +10,7 @@
 #include "devices/transport/usb_cdc.h"
 #include "devices/transport/usb_ftdi.h"
 #include "tests/devices/transport/usb_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -130,5 +131,5 @@ void UsbStreamTest::anAdapterThatSaysNothingCostsLittle()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::UsbStreamTest)
+PLANEWRIGHT_TEST(planewright::UsbStreamTest)
 #include "usb_stream_test.moc"

@@ -11,6 +11,7 @@
 #include "devices/transport/usb_cdc.h"
 #include "devices/transport/usb_error.h"
 #include "tests/devices/transport/usb_rig.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -39,7 +40,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::size_t kFrame = 3372;  // of a laser with 1081 beams
+constexpr std::size_t kWholeFrame = 3372;  // of a laser with 1081 beams
 
 int repetitions()
 {
@@ -135,11 +136,11 @@ void UsbUnplugTest::inTheMiddleOfAFrame()
     Bench bench(2);
     for (int i = 0; i < repetitions(); ++i) {
         const auto link = bench.open();
-        const Bytes sent = pattern(4 * kFrame, bench.any());
+        const Bytes sent = pattern(4 * kWholeFrame, bench.any());
         const auto count = static_cast<std::size_t>(bench.upTo(static_cast<int>(sent.size())));
         std::jthread plug{[&] {
-            for (std::size_t at = 0; at < count; at += kFrame)
-                bench.laser->send(std::span{sent}.subspan(at, std::min(kFrame, count - at)));
+            for (std::size_t at = 0; at < count; at += kWholeFrame)
+                bench.laser->send(std::span{sent}.subspan(at, std::min(kWholeFrame, count - at)));
             bench.unplug();
         }};
 
@@ -293,5 +294,5 @@ void UsbUnplugTest::theFirstReasonStaysWhenTheLinkIsClosedLater()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::UsbUnplugTest)
+PLANEWRIGHT_TEST(planewright::UsbUnplugTest)
 #include "usb_unplug_test.moc"

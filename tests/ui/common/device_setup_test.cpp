@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class DeviceSetupTest : public QObject {
@@ -47,5 +49,5 @@ void DeviceSetupTest::limitsGoIntoTheAddress()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::DeviceSetupTest)
+PLANEWRIGHT_TEST(planewright::DeviceSetupTest)
 #include "device_setup_test.moc"

@@ -8,6 +8,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class PaletteTest : public QObject {
@@ -117,5 +119,5 @@ void PaletteTest::textIsReadable()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::PaletteTest)
+PLANEWRIGHT_TEST(planewright::PaletteTest)
 #include "palette_test.moc"

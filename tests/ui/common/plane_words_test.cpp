@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class PlaneWordsTest : public QObject {
@@ -46,5 +48,5 @@ void PlaneWordsTest::segmentsCountStepsFromOne()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::PlaneWordsTest)
+PLANEWRIGHT_TEST(planewright::PlaneWordsTest)
 #include "plane_words_test.moc"

@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class PreferencesTest : public QObject {
@@ -50,5 +52,5 @@ void PreferencesTest::whatIsNoNumberHasItsDefault()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::PreferencesTest)
+PLANEWRIGHT_TEST(planewright::PreferencesTest)
 #include "preferences_test.moc"

@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class SimulationSetupTest : public QObject {
@@ -88,5 +90,5 @@ void SimulationSetupTest::longScansAreToldInMinutes()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::SimulationSetupTest)
+PLANEWRIGHT_TEST(planewright::SimulationSetupTest)
 #include "simulation_setup_test.moc"

@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class AboutDialogTest : public QObject {
@@ -39,5 +41,5 @@ void AboutDialogTest::versionsAreCopied()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::AboutDialogTest)
+PLANEWRIGHT_GUI_TEST(planewright::AboutDialogTest)
 #include "about_dialog_test.moc"

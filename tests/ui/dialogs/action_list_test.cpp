@@ -7,6 +7,8 @@
 #include <QMenu>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class ActionListTest : public QObject {
@@ -53,5 +55,5 @@ void ActionListTest::beginningsOfWordsFitBetter()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::ActionListTest)
+PLANEWRIGHT_GUI_TEST(planewright::ActionListTest)
 #include "action_list_test.moc"

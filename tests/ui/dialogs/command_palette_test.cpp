@@ -9,6 +9,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class CommandPaletteTest : public QObject {
@@ -108,5 +110,5 @@ void CommandPaletteTest::lettersThatFitNothingDoNothing()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::CommandPaletteTest)
+PLANEWRIGHT_GUI_TEST(planewright::CommandPaletteTest)
 #include "command_palette_test.moc"

@@ -15,6 +15,8 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class PreferencesDialogTest : public QObject {
@@ -171,5 +173,5 @@ void PreferencesDialogTest::thingsToDoAreActions()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::PreferencesDialogTest)
+PLANEWRIGHT_GUI_TEST(planewright::PreferencesDialogTest)
 #include "preferences_dialog_test.moc"

@@ -11,6 +11,7 @@
 #include <QTableWidget>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/dialogs/shortcuts_dialog.h"
 
 namespace planewright {
@@ -143,5 +144,5 @@ void ShortcutsPageTest::theListIsSearched()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::ShortcutsPageTest)
+PLANEWRIGHT_GUI_TEST(planewright::ShortcutsPageTest)
 #include "shortcuts_page_test.moc"

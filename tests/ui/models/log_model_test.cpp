@@ -6,6 +6,7 @@
 #include <QAbstractItemModelTester>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/models/filter_proxy_model.h"
 
 namespace planewright {
@@ -70,5 +71,5 @@ void LogModelTest::aReportHasTheNewestLines()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::LogModelTest)
+PLANEWRIGHT_GUI_TEST(planewright::LogModelTest)
 #include "log_model_test.moc"

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/made_map.h"
 
 namespace planewright {
@@ -107,5 +108,5 @@ void MapSelectionTest::thePointerIsOnOnePlane()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::MapSelectionTest)
+PLANEWRIGHT_TEST(planewright::MapSelectionTest)
 #include "map_selection_test.moc"

@@ -8,6 +8,7 @@
 #include <QAbstractItemModelTester>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/made_map.h"
 
 namespace planewright {
@@ -141,5 +142,5 @@ void MeasurementsModelTest::measurementsAreRemovedOneByOne()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::MeasurementsModelTest)
+PLANEWRIGHT_GUI_TEST(planewright::MeasurementsModelTest)
 #include "measurements_model_test.moc"

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/params/presets.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -184,5 +185,5 @@ void ParameterModelTest::theSameParametersAreNoChange()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ParameterModelTest)
+PLANEWRIGHT_TEST(planewright::ParameterModelTest)
 #include "parameter_model_test.moc"

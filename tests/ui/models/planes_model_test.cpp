@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/made_map.h"
 #include "ui/models/model_roles.h"
 
@@ -251,5 +252,5 @@ void PlanesModelTest::everyColumnHasATitleAndAMeaning()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::PlanesModelTest)
+PLANEWRIGHT_GUI_TEST(planewright::PlanesModelTest)
 #include "planes_model_test.moc"

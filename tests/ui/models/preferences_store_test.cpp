@@ -6,6 +6,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class PreferencesStoreTest : public QObject {
@@ -96,5 +98,5 @@ void PreferencesStoreTest::anEmptyListOfKeysIsKept()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PreferencesStoreTest)
+PLANEWRIGHT_TEST(planewright::PreferencesStoreTest)
 #include "preferences_store_test.moc"

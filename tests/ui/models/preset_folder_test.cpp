@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/models/parameter_model.h"
 
 namespace planewright {
@@ -73,5 +74,5 @@ void PresetFolderTest::aFolderThatIsNotThereHasNoPresets()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::PresetFolderTest)
+PLANEWRIGHT_TEST(planewright::PresetFolderTest)
 #include "preset_folder_test.moc"

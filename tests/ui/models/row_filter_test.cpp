@@ -6,6 +6,7 @@
 #include <QStandardItemModel>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/made_map.h"
 #include "ui/models/filter_proxy_model.h"
 #include "ui/models/planes_model.h"
@@ -146,5 +147,5 @@ void RowFilterTest::whatIsUnknownComesLastInEitherOrder()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::RowFilterTest)
+PLANEWRIGHT_TEST(planewright::RowFilterTest)
 #include "row_filter_test.moc"

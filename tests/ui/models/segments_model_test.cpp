@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/made_map.h"
 #include "ui/models/filter_proxy_model.h"
 
@@ -133,5 +134,5 @@ void SegmentsModelTest::anotherScanBeginsAnew()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::SegmentsModelTest)
+PLANEWRIGHT_GUI_TEST(planewright::SegmentsModelTest)
 #include "segments_model_test.moc"

@@ -26,6 +26,7 @@ QSet<QString> passedFunctions()
 {
     QSet<QString> names;
 #define PASS(result, name, parameters, arguments) names.insert(QStringLiteral(#name));
+#include "tests/test_program.h"
 #include "ui/opengl/opengl_functions.h"
 #undef PASS
     return names;
@@ -102,5 +103,5 @@ void OpenGlFunctionsTest::osmesaIsTakenOnceAndForAll()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::OpenGlFunctionsTest)
+PLANEWRIGHT_TEST(planewright::OpenGlFunctionsTest)
 #include "opengl_functions_test.moc"

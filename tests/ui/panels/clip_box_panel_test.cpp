@@ -9,6 +9,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class ClipBoxPanelTest : public QObject {
@@ -62,5 +64,5 @@ void ClipBoxPanelTest::aBoxFromElsewhereTellsNobody()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::ClipBoxPanelTest)
+PLANEWRIGHT_GUI_TEST(planewright::ClipBoxPanelTest)
 #include "clip_box_panel_test.moc"

@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/panels/source_panel.h"
 
 namespace planewright {
@@ -253,5 +254,5 @@ void DeviceFormTest::steppingTakesLonger()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::DeviceFormTest)
+PLANEWRIGHT_GUI_TEST(planewright::DeviceFormTest)
 #include "device_form_test.moc"

@@ -10,6 +10,8 @@
 #include <QSlider>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class LayersPanelTest : public QObject {
@@ -84,5 +86,5 @@ void LayersPanelTest::theWheelChangesNothingInPassing()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::LayersPanelTest)
+PLANEWRIGHT_GUI_TEST(planewright::LayersPanelTest)
 #include "layers_panel_test.moc"

@@ -8,6 +8,7 @@
 #include <QScrollBar>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/panels/filter_box.h"
 #include "ui/panels/filtered_table.h"
 
@@ -99,5 +100,5 @@ void LogPanelTest::linesAreFiltered()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::LogPanelTest)
+PLANEWRIGHT_GUI_TEST(planewright::LogPanelTest)
 #include "log_panel_test.moc"

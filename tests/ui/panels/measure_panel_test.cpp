@@ -7,6 +7,7 @@
 #include <QClipboard>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/panels/filtered_table.h"
 
 namespace planewright {
@@ -63,5 +64,5 @@ void MeasurePanelTest::measurementsAreCopied()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::MeasurePanelTest)
+PLANEWRIGHT_GUI_TEST(planewright::MeasurePanelTest)
 #include "measure_panel_test.moc"

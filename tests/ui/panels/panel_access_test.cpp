@@ -11,6 +11,7 @@
 #include <QTableView>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/made_map.h"
 #include "ui/panels/filtered_table.h"
 #include "ui/panels/layers_panel.h"
@@ -206,5 +207,5 @@ void PanelAccessTest::nothingIsCutOffAtTheWidthOfItsDock()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::PanelAccessTest)
+PLANEWRIGHT_GUI_TEST(planewright::PanelAccessTest)
 #include "panel_access_test.moc"

@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/panels/parameter_field.h"
 
 namespace planewright {
@@ -241,5 +242,5 @@ void ParametersPanelTest::whatCannotChangeDuringAScanIsGreyedOut()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::ParametersPanelTest)
+PLANEWRIGHT_GUI_TEST(planewright::ParametersPanelTest)
 #include "parameters_panel_test.moc"

@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/made_map.h"
 #include "ui/panels/filter_box.h"
 #include "ui/panels/filtered_table.h"
@@ -309,5 +310,5 @@ void PlanesPanelTest::thePointerOnARowIsAHover()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::PlanesPanelTest)
+PLANEWRIGHT_GUI_TEST(planewright::PlanesPanelTest)
 #include "planes_panel_test.moc"

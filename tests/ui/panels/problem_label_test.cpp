@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/theme/theme.h"
 
 namespace planewright {
@@ -54,5 +55,5 @@ void ProblemLabelTest::itsColourFollowsTheTheme()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::ProblemLabelTest)
+PLANEWRIGHT_GUI_TEST(planewright::ProblemLabelTest)
 #include "problem_label_test.moc"

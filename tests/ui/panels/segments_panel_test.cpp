@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/made_map.h"
 #include "ui/panels/filter_box.h"
 #include "ui/panels/filtered_table.h"
@@ -84,5 +85,5 @@ void SegmentsPanelTest::itSaysWhyItIsEmpty()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::SegmentsPanelTest)
+PLANEWRIGHT_GUI_TEST(planewright::SegmentsPanelTest)
 #include "segments_panel_test.moc"

@@ -15,6 +15,7 @@
 #include <QtTest>
 
 #include "core/simulation/scene.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -167,5 +168,5 @@ void SourcePanelTest::recentRecordingsAreChosenWithTheKeyboard()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::SourcePanelTest)
+PLANEWRIGHT_GUI_TEST(planewright::SourcePanelTest)
 #include "source_panel_test.moc"

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -174,5 +175,5 @@ void CameraMotionTest::walkingStaysLevel()
 
 }  // namespace planewright
 
-QTEST_APPLESS_MAIN(planewright::CameraMotionTest)
+PLANEWRIGHT_TEST(planewright::CameraMotionTest)
 #include "camera_motion_test.moc"

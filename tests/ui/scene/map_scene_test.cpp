@@ -5,6 +5,7 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/scene/shown_room.h"
 #include "ui/scene/scene_pick.h"
 
@@ -198,5 +199,5 @@ void MapSceneTest::legendsNameWhatIsShown()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::MapSceneTest)
+PLANEWRIGHT_TEST(planewright::MapSceneTest)
 #include "map_scene_test.moc"

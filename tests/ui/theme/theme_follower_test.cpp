@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/theme/theme.h"
 
 namespace planewright {
@@ -100,5 +101,5 @@ void ThemeFollowerTest::withoutABusNothingHappens()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::ThemeFollowerTest)
+PLANEWRIGHT_GUI_TEST(planewright::ThemeFollowerTest)
 #include "theme_follower_test.moc"

@@ -13,6 +13,8 @@
 #include <QVBoxLayout>
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class ThemeTest : public QObject {
@@ -122,5 +124,5 @@ void ThemeTest::focusIsARingOfTwoPixels()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::ThemeTest)
+PLANEWRIGHT_GUI_TEST(planewright::ThemeTest)
 #include "theme_test.moc"

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/scene/shown_room.h"
 #include "tests/ui/view3d/reference_image.h"
 #include "ui/opengl/offscreen_window.h"
@@ -179,5 +180,5 @@ void View3dPicturesTest::partsGiveThePictureThatIsDrawnAtOnce()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::View3dPicturesTest)
+PLANEWRIGHT_GUI_TEST(planewright::View3dPicturesTest)
 #include "view3d_pictures_test.moc"

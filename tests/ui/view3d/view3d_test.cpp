@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/scene/shown_room.h"
 
 namespace planewright {
@@ -271,5 +272,5 @@ void View3dTest::atRestAllPointsAreSeen()
 
 }  // namespace planewright
 
-QTEST_MAIN(planewright::View3dTest)
+PLANEWRIGHT_GUI_TEST(planewright::View3dTest)
 #include "view3d_test.moc"

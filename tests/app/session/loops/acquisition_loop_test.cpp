@@ -7,6 +7,7 @@
 
 #include "tests/app/session/loops/fakes.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 using namespace std::chrono_literals;
 
@@ -344,5 +345,5 @@ void AcquisitionLoopTest::whateverMovesComesToRestAtTheEnd()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::AcquisitionLoopTest)
+PLANEWRIGHT_TEST(planewright::AcquisitionLoopTest)
 #include "acquisition_loop_test.moc"

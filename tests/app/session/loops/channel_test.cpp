@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -106,5 +107,5 @@ void ChannelTest::nothingIsLostBetweenThreads()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ChannelTest)
+PLANEWRIGHT_TEST(planewright::ChannelTest)
 #include "channel_test.moc"

@@ -8,7 +8,9 @@
 #include "core/params/presets.h"
 #include "tests/app/session/loops/batch.h"
 #include "tests/app/session/loops/fakes.h"
+#include "tests/core/params/preset_parameters.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -33,13 +35,6 @@ const Recording& corridor()
     static const Recording recording =
         asRecorded(simulate(*makeScene("corridor", 3), smallScan(), *simulationNoise("default"), 3).recording);
     return recording;
-}
-
-Parameters precise()
-{
-    Parameters parameters;
-    apply(methodPresets().front(), parameters);
-    return parameters;
 }
 
 /// A loop with its two ends.
@@ -199,5 +194,5 @@ void ExtractionLoopTest::abandoningEndsItWithoutTheLastPass()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ExtractionLoopTest)
+PLANEWRIGHT_TEST(planewright::ExtractionLoopTest)
 #include "extraction_loop_test.moc"

@@ -7,6 +7,7 @@
 
 #include "tests/app/session/loops/fakes.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -215,5 +216,5 @@ void RecordingLoopTest::aScanWithoutAnOutcomeIsPartial()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::RecordingLoopTest)
+PLANEWRIGHT_TEST(planewright::RecordingLoopTest)
 #include "recording_loop_test.moc"

@@ -12,7 +12,9 @@
 #include "devices/emulated/simulated_room.h"
 #include "tests/app/session/loops/batch.h"
 #include "tests/app/session/loops/fakes.h"
+#include "tests/core/params/preset_parameters.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -34,13 +36,6 @@ private slots:
 };
 
 namespace {
-
-Parameters precise()
-{
-    Parameters parameters;
-    apply(methodPresets().front(), parameters);
-    return parameters;
-}
 
 std::shared_ptr<ScanSource> room(const Clock& clock, double speed)
 {
@@ -90,6 +85,42 @@ public:
 private:
     std::vector<std::jthread> threads_;
 };
+
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+/// Scans a recording in real time, 40 slices a second: the time from its last slice to the final planes; empty where
+/// there are none within a minute.
+std::optional<Milliseconds> timeUntilFinal(const Recording& recording)
+{
+    const auto begin = steadyClock().now();
+    const auto end = static_cast<int>(recording.slices.size()) - 1;
+    std::atomic<std::chrono::nanoseconds> last{0ns};
+    auto source = std::make_shared<ScriptedSource>(recording);
+    source->onNext = [&](int call) -> Result<void> {
+        const auto due = begin + call * 25ms;
+        std::this_thread::sleep_for(std::max(0ns, due - steadyClock().now()));
+        if (call == end)
+            last = steadyClock().now();
+        return {};
+    };
+    const QTemporaryDir folder;
+    RunningPipeline run{source,
+                        std::make_unique<PwscanRecorder>(folder.filePath("scan.pwscan").toStdString(),
+                                                         PwscanRecorder::Target::NewFile, "Scripted scanner"),
+                        steadyClock()};
+
+    std::shared_ptr<const Snapshot> newest;
+    const auto isFinal = [&] { return newest && newest->report.step == -1; };
+    const auto patience = steadyClock().now() + 60s;
+    while (!isFinal() && steadyClock().now() < patience) {
+        if (const auto steps = run.pipeline.take(); !steps.empty())
+            newest = steps.back().snapshot;
+        std::this_thread::sleep_for(100us);
+    }
+    if (!isFinal() || newest->planes.size() < 4)
+        return std::nullopt;
+    return steadyClock().now() - last.load();
+}
 
 }  // namespace
 
@@ -251,7 +282,8 @@ void ScanPipelineTest::aSlowDiskLetsTheQueueGrowAndLosesNothing()
     QCOMPARE(run.pipeline.status().queueDepth, std::size_t(0));
 }
 
-/// A scan of Table VIII in real time: what there is to be done after its last slice takes 5 ms on a machine at rest.
+/// A scan of Table VIII in real time: what there is to be done after its last slice takes 5 ms on a machine at rest. A
+/// busy one may hold up a scan, hardly three.
 void ScanPipelineTest::planesAreFinalSoonAfterTheLastSlice()
 {
     constexpr auto kBar = 5ms;
@@ -260,39 +292,18 @@ void ScanPipelineTest::planesAreFinalSoonAfterTheLastSlice()
     const Recording recording = simulate(*makeScene("corridor", 7), settings, *simulationNoise("default"), 1).recording;
     QCOMPARE(recording.slices.size(), std::size_t(137));
     QCOMPARE(recording.description.beams, 721);
-    const auto begin = steadyClock().now();
-    std::atomic<std::chrono::nanoseconds> last{0ns};
-    auto source = std::make_shared<ScriptedSource>(recording);
-    source->onNext = [&](int call) -> Result<void> {
-        const auto due = begin + call * 25ms;
-        std::this_thread::sleep_for(std::max(0ns, due - steadyClock().now()));
-        if (call == 136)
-            last = steadyClock().now();
-        return {};
-    };
-    const QTemporaryDir folder;
-    RunningPipeline run{source,
-                        std::make_unique<PwscanRecorder>(folder.filePath("scan.pwscan").toStdString(),
-                                                         PwscanRecorder::Target::NewFile, "Scripted scanner"),
-                        steadyClock()};
 
-    std::shared_ptr<const Snapshot> newest;
-    const auto isFinal = [&] { return newest && newest->report.step == -1; };
-    const auto patience = steadyClock().now() + 60s;
-    while (!isFinal() && steadyClock().now() < patience) {
-        if (const auto steps = run.pipeline.take(); !steps.empty())
-            newest = steps.back().snapshot;
-        std::this_thread::sleep_for(100us);
+    std::optional<Milliseconds> soonest;
+    for (int scan = 0; scan < 3 && !(soonest < kMargin * kBar); ++scan) {
+        const std::optional<Milliseconds> after = timeUntilFinal(recording);
+        QVERIFY(after.has_value());
+        qInfo("the planes were final %.2f ms after the last slice", after->count());
+        soonest = std::min(*after, soonest.value_or(*after));
     }
-    const std::chrono::duration<double, std::milli> after = steadyClock().now() - last.load();
-
-    QVERIFY(isFinal());
-    QVERIFY(newest->planes.size() >= 4);
-    qInfo("the planes were final %.2f ms after the last slice", after.count());
-    QVERIFY2(after < kMargin * kBar, qPrintable(QString::number(after.count())));
+    QVERIFY2(soonest < kMargin * kBar, qPrintable(QString::number(soonest->count())));
 }
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ScanPipelineTest)
+PLANEWRIGHT_TEST(planewright::ScanPipelineTest)
 #include "scan_pipeline_test.moc"

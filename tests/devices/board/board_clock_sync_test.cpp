@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "devices/board/clock_sync.h"
-
 #include <cmath>
 #include <random>
 
 #include <QtTest>
+
+#include "devices/board/clock_sync.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 
@@ -198,5 +199,5 @@ void BoardClockSyncTest::hostileStampsOverflowNothing()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::BoardClockSyncTest)
+PLANEWRIGHT_TEST(planewright::BoardClockSyncTest)
 #include "clock_sync_test.moc"
