@@ -23,6 +23,11 @@ std::string inHexadecimal(std::span<const std::uint8_t> bytes)
 
 }  // namespace
 
+std::string recordText(const FaultRecord& record)
+{
+    return record.text + " (" + record.code + (record.bytes.empty() ? "" : ": " + record.bytes) + ")";
+}
+
 void FaultLog::add(std::chrono::nanoseconds at, std::string_view code, std::string text,
                    std::span<const std::uint8_t> bytes)
 {

@@ -24,6 +24,9 @@ struct FaultRecord {
     std::string bytes;               ///< what came, in hexadecimal: "4D 44 0A", "…" where it was longer; may be empty
 };
 
+/// A record in one line: what it was, its code and the bytes that came.
+std::string recordText(const FaultRecord& record);
+
 /// How often each kind of fault was seen.
 using FaultCounts = std::map<std::string, std::uint64_t, std::less<>>;
 

@@ -10,6 +10,7 @@
 
 #include "core/types/error.h"
 #include "core/types/recording.h"
+#include "devices/fault_log.h"
 
 namespace planewright {
 
@@ -69,6 +70,10 @@ public:
 
     /// How it is now, for a panel; nothing of a source that is no device. Any thread.
     virtual std::vector<HealthFact> health() const { return {}; }
+
+    /// What went wrong with its devices since this was last asked, oldest first, the latest of each device at most. Any
+    /// thread.
+    virtual std::vector<FaultRecord> takeLog() { return {}; }
 
     /// Stops whatever moves, at once, in every state. Nothing moves then before release(): begin() and resume() give
     /// an error (NeedsOperator). A recording has nothing that moves.

@@ -129,6 +129,10 @@ ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline)
     events.acquisition.onRecovering = [](const Error& error, std::chrono::milliseconds wait) {
         printWarning(error.message + "; trying to go on in " + std::to_string(wait.count()) + " ms");
     };
+    events.acquisition.onRecords = [](const std::vector<FaultRecord>& records) {
+        for (const FaultRecord& record : records)
+            printNote(recordText(record));
+    };
     events.acquisition.onEnded = [&news](ScanOutcome outcome) { news.outcome = outcome; };
     events.recording.onTrouble = [](const Error& error) {
         printWarning(error.message + "; slices are kept in memory, and writing is tried again every second");

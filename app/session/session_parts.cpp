@@ -204,6 +204,10 @@ void SessionParts::connectRun()
     on(&SessionRun::sourceRecovering, [this](const Error& error, std::chrono::milliseconds wait) {
         log(LogLevel::Warning, error.message + "; it is tried again in " + inSeconds(wait));
     });
+    on(&SessionRun::devicesTroubled, [this](const std::vector<FaultRecord>& records) {
+        for (const FaultRecord& record : records)
+            log(LogLevel::Warning, recordText(record));
+    });
     on(&SessionRun::recordingTroubled, [this](const Error& error) {
         tellFault(
             {error.code, error.message +

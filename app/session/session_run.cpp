@@ -29,6 +29,9 @@ ScanEvents SessionRun::events()
     events.acquisition.onRecovering = [this](const Error& error, std::chrono::milliseconds wait) {
         post([this, error, wait] { emit sourceRecovering(error, wait); });
     };
+    events.acquisition.onRecords = [this](const std::vector<FaultRecord>& records) {
+        post([this, records] { emit devicesTroubled(records); });
+    };
     events.recording.onTrouble = [this](const Error& error) { post([this, error] { emit recordingTroubled(error); }); };
     events.recording.onRecovered = [this] { post([this] { emit recordingRecovered(); }); };
     events.recording.onClosed = [this](const Result<void>& closed) {

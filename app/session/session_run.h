@@ -35,6 +35,7 @@ signals:
     void sourceFailed(const planewright::Error& error);
     /// It is tried again by itself.
     void sourceRecovering(const planewright::Error& error, std::chrono::milliseconds wait);
+    void devicesTroubled(const std::vector<planewright::FaultRecord>& records);
     void sourceEnded();
     void recordingTroubled(const planewright::Error& error);
     void recordingRecovered();

@@ -3,7 +3,9 @@
 
 #include "devices/nodding/device_pair.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <locale>
 #include <sstream>
 #include <utility>
@@ -186,6 +188,7 @@ void DevicePair::close()
     std::shared_ptr<TiltUnit> unit;
     const bool keepsUnit = std::exchange(laserFailed_, false);
     const std::scoped_lock lock{mutex_};
+    keepLogs();
     laser.swap(laser_);
     if (!keepsUnit)
         unit.swap(unit_);
@@ -213,6 +216,27 @@ LinkHealth DevicePair::tiltHealth() const
 {
     const std::shared_ptr<TiltUnit> unit = sharedUnit();
     return unit ? unit->health() : LinkHealth{};
+}
+
+/// Takes the records of both devices; the oldest of too many are forgotten. Under the mutex.
+void DevicePair::keepLogs()
+{
+    constexpr std::size_t kMost = 2 * FaultLog::kMostRecords;
+    const auto keep = [this](std::vector<FaultRecord> log) { std::ranges::move(log, std::back_inserter(records_)); };
+    if (laser_)
+        keep(laser_->takeLog());
+    if (unit_)
+        keep(unit_->takeLog());
+    std::ranges::stable_sort(records_, {}, &FaultRecord::at);
+    if (records_.size() > kMost)
+        records_.erase(records_.begin(), records_.end() - kMost);
+}
+
+std::vector<FaultRecord> DevicePair::takeLog()
+{
+    const std::scoped_lock lock{mutex_};
+    keepLogs();
+    return std::exchange(records_, {});
 }
 
 MotorState DevicePair::motor() const

@@ -70,6 +70,8 @@ public:
     Result<void> hold();
     LinkHealth laserHealth() const;
     LinkHealth tiltHealth() const;
+    /// What went wrong with both since this was last asked, oldest first, also with one that was closed since.
+    std::vector<FaultRecord> takeLog();
     MotorState motor() const;
 
 private:
@@ -90,12 +92,14 @@ private:
     Result<void> checkSame(const TiltUnit& unit) const;
     std::shared_ptr<Laser> sharedLaser() const;
     std::shared_ptr<TiltUnit> sharedUnit() const;
+    void keepLogs();
 
     NoddingDevices devices_;
     const Clock& clock_;
-    mutable std::mutex mutex_;  ///< of the two pointers, where other threads read them
+    mutable std::mutex mutex_;  ///< of the two pointers and the records, where other threads read them
     std::shared_ptr<Laser> laser_;
     std::shared_ptr<TiltUnit> unit_;
+    std::vector<FaultRecord> records_;  ///< that nobody has taken, of devices that were closed
     std::optional<LaserKind> firstLaser_;
     std::optional<UnitKind> firstUnit_;
     bool isScanning_ = false;

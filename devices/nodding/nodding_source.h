@@ -49,6 +49,7 @@ public:
     void release() override;
 
     std::vector<HealthFact> health() const override;
+    std::vector<FaultRecord> takeLog() override { return devices_.takeLog(); }
     NoddingHealth deviceHealth() const;
 
 private:

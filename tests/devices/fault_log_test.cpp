@@ -19,6 +19,7 @@ private slots:
     void aRecordIsTakenOnce();
     void onlyTheLastAreKeptAndAllAreCounted();
     void longBytesAreCut();
+    void aRecordIsOneLine();
 };
 
 void FaultLogTest::keepsWhatWasSeen()
@@ -77,6 +78,14 @@ void FaultLogTest::longBytesAreCut()
     QCOMPARE(records[0].bytes.size(), std::size_t(64 * 3 - 1));
     QVERIFY(records[1].bytes.starts_with(records[0].bytes));
     QVERIFY(records[1].bytes.ends_with("FF …"));
+}
+
+void FaultLogTest::aRecordIsOneLine()
+{
+    QCOMPARE(recordText({3s, "laser-sum", "a line with a wrong sum", "4D 44 0A"}),
+             std::string{"a line with a wrong sum (laser-sum: 4D 44 0A)"});
+    QCOMPARE(recordText({3s, "servo-silent", "a question was not answered", ""}),
+             std::string{"a question was not answered (servo-silent)"});
 }
 
 }  // namespace planewright

@@ -17,6 +17,7 @@ constexpr std::size_t kTimesKept = 41;  // a second of a scanner that takes 40 s
 constexpr std::chrono::milliseconds kFirstWait{500};
 constexpr std::chrono::milliseconds kLongestWait{2000};
 constexpr int kWaitsDoubled = 2;
+constexpr std::chrono::seconds kBetweenRecords{1};
 
 }  // namespace
 
@@ -31,6 +32,7 @@ void AcquisitionLoop::run()
     const ScanOutcome outcome = takeSlices();
     // Where even that fails nothing is left to be done here: the device's own watchdog stops it.
     [[maybe_unused]] const Result<void> rested = source_.end();
+    tellRecords();
     out_.push(outcome);
     events_.onEnded(outcome);
 }
@@ -39,8 +41,11 @@ ScanOutcome AcquisitionLoop::takeSlices()
 {
     for (bool begun = false;;) {
         const Result<bool> taken = takeSlice(begun);
-        if (taken && *taken)
+        if (taken && *taken) {
+            tellRecordsNowAndThen();
             continue;
+        }
+        tellRecords();
         if (taken || taken.error().code == ErrorCode::Interrupted)
             return outcomeOfTheEnd();
         out_.push(ScanEvent{ScanEvent::Kind::Fault, {}, {}, taken.error().message});
@@ -48,6 +53,19 @@ ScanOutcome AcquisitionLoop::takeSlices()
             return ScanOutcome::Fault;
         out_.push(ScanEvent{ScanEvent::Kind::Recovered, {}, {}, {}});
     }
+}
+
+void AcquisitionLoop::tellRecordsNowAndThen()
+{
+    if (clock_.now() - toldAt_ >= kBetweenRecords)
+        tellRecords();
+}
+
+void AcquisitionLoop::tellRecords()
+{
+    toldAt_ = clock_.now();
+    if (const std::vector<FaultRecord> records = source_.takeLog(); !records.empty() && events_.onRecords)
+        events_.onRecords(records);
 }
 
 ScanOutcome AcquisitionLoop::outcomeOfTheEnd()

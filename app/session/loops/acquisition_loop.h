@@ -26,6 +26,9 @@ struct AcquisitionEvents {
     std::function<void(ScanOutcome)> onEnded;   ///< there will be no more slices
     /// A link has failed, and after a while the loop tries again by itself. May be empty.
     std::function<void(const Error&, std::chrono::milliseconds wait)> onRecovering = {};
+    /// What went wrong with devices meanwhile, oldest first: what has cost nothing, and what led to a fault. At most
+    /// once a second while slices come. May be empty.
+    std::function<void(const std::vector<FaultRecord>&)> onRecords = {};
 };
 
 /// How often a scan goes on by itself after a link to a device has failed, 0.5, 1, 2, 2 … s later. What needs a person
@@ -65,6 +68,8 @@ private:
     ScanOutcome takeSlices();
     Result<bool> takeSlice(bool& begun);
     ScanOutcome outcomeOfTheEnd();
+    void tellRecords();
+    void tellRecordsNowAndThen();
     Verdict judge(const Error& error);
     std::optional<std::chrono::milliseconds> waitBeforeRetry(const Error& error);
     void forgetVerdict();
@@ -84,6 +89,7 @@ private:
     std::optional<Verdict> verdict_;
     std::deque<std::chrono::nanoseconds> times_;  ///< of the last slices
     std::optional<int> lastStep_;
+    std::chrono::nanoseconds toldAt_{0};  ///< records of faults
     std::atomic<int> slices_{0};
     std::atomic<int> lost_{0};
 };

@@ -36,6 +36,7 @@ private slots:
     void whatCannotBeEmulatedIsSaid();
     void theHeadGoesToLevel();
     void anInterruptHoldsAHeadOnItsWay();
+    void aUnitThatTurnedItselfOffIsReleasedByAPersonOnly();
     void theRigsLimitsAndLeverArmAreThoseOfTheScan();
 
 private:
@@ -304,6 +305,27 @@ void CliDevicesTest::anInterruptHoldsAHeadOnItsWay()
     // What it does from there on takes as long as the rest of the way.
     const ProgramRun rest = runProgram({"devices", "--home", rig.tiltUnit() + "?zero=10"});
     QVERIFY2(rest.code == 0, rest.err.constData());
+}
+
+void CliDevicesTest::aUnitThatTurnedItselfOffIsReleasedByAPersonOnly()
+{
+    constexpr int kNeedsOperator = 10;
+    const QTemporaryDir folder;
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty", "--fault", "servo-overload@5"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+
+    const ProgramRun scan = runProgram({"record", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit(), "--tilt",
+                                        "80:100:1", "-o", "room.pwscan", "--retries", "3"},
+                                       folder.path());
+    const ProgramRun refused = runProgram({"devices", "--home", rig.tiltUnit()});
+    const ProgramRun released = runProgram({"devices", "--recover", rig.tiltUnit()});
+    const ProgramRun home = runProgram({"devices", "--home", rig.tiltUnit()});
+
+    QVERIFY2(scan.code == kNeedsOperator, scan.err.constData());
+    QVERIFY2(scan.err.contains("overload"), scan.err.constData());
+    QVERIFY2(refused.code == kNeedsOperator, refused.err.constData());
+    QVERIFY2(released.code == 0, released.err.constData());
+    QVERIFY2(home.code == 0, home.err.constData());
 }
 
 void CliDevicesTest::theRigsLimitsAndLeverArmAreThoseOfTheScan()

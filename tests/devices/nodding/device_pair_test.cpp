@@ -20,6 +20,7 @@ private slots:
     void aLaserWithoutANumberIsNotTakenForAnother();
     void scansThatNobodyTakesAreBounded();
     void aLaserThatFailedLeavesTheUnitOpen();
+    void recordsOfADeviceThatWasClosedAreKept();
 };
 
 void DevicePairTest::theSameLaserIsWaitedFor()
@@ -92,6 +93,31 @@ void DevicePairTest::aLaserThatFailedLeavesTheUnitOpen()
 
     QCOMPARE(script.count("laser closed"), 1);
     QCOMPARE(script.count("unit closed"), 0);
+}
+
+void DevicePairTest::recordsOfADeviceThatWasClosedAreKept()
+{
+    DeviceScript script;
+    DevicePair pair(scriptedDevices(script), script.clock);
+    QVERIFY(pair.open({}));
+    script.laserLog = {{2s, "laser-sum", "a line with a wrong sum", "4D"}, {1s, "laser-late", "a scan came late", ""}};
+    pair.close();
+    script.laserLog = {{3s, "laser-silent", "nothing came", ""}};
+    QVERIFY(pair.open({}));
+
+    const std::vector<FaultRecord> records = pair.takeLog();
+
+    QCOMPARE(records.size(), std::size_t(3));  // oldest first
+    QCOMPARE(records[0].code, std::string{"laser-late"});
+    QCOMPARE(records[1].code, std::string{"laser-sum"});
+    QCOMPARE(records[2].code, std::string{"laser-silent"});
+    QVERIFY(pair.takeLog().empty());
+
+    for (int i = 0; i < 100; ++i)
+        script.laserLog.push_back({std::chrono::seconds{i}, "laser-sum", std::to_string(i), ""});
+    const std::vector<FaultRecord> latest = pair.takeLog();
+    QCOMPARE(latest.size(), 2 * FaultLog::kMostRecords);
+    QCOMPARE(latest.back().text, std::string{"99"});
 }
 
 }  // namespace planewright

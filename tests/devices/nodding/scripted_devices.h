@@ -40,6 +40,8 @@ struct DeviceScript {
     std::function<bool(Time)> losesTurn;    ///< the turn of the mirror that begins then
     std::function<Result<void>()> onLaser;  ///< before each look for a scan
 
+    std::vector<FaultRecord> laserLog;
+
     std::string unit = "RX-64, number 1, firmware 24";
     double unitHighest = degrees(180.0);
     double tolerance = degrees(0.5);
@@ -211,6 +213,7 @@ public:
         return {};
     }
     LinkHealth health() const override { return {}; }
+    std::vector<FaultRecord> takeLog() override { return std::exchange(script_.laserLog, {}); }
 
 private:
     static constexpr std::chrono::microseconds kTurn{25'000};

@@ -35,6 +35,8 @@ private slots:
     void anInterruptedSourceIsNoFault();
     void aScannerThatLeftSlicesOutGivesAPartialScan();
     void whateverMovesComesToRestAtTheEnd();
+    void whatWentWrongWithDevicesIsToldOnceASecondAndAtTheEnd();
+    void whatLedToAFaultIsToldBeforeIt();
 };
 
 namespace {
@@ -57,21 +59,24 @@ struct Acquisition {
     std::vector<std::chrono::milliseconds> waits;
     std::atomic<int> recoveries{0};
     std::function<void()> onFault;
-    AcquisitionLoop loop{source,
-                         out,
-                         clock,
-                         {[this] { ++begun; },
-                          [this](const Error& /*error*/) {
-                              ++faults;
-                              if (onFault)
-                                  onFault();
-                          },
-                          [this](ScanOutcome /*outcome*/) { ++ended; },
-                          [this](const Error& /*error*/, std::chrono::milliseconds wait) {
-                              waits.push_back(wait);
-                              ++recoveries;
-                          }},
-                         recovery};
+    std::vector<FaultRecord> records;
+    AcquisitionLoop loop{
+        source,
+        out,
+        clock,
+        {[this] { ++begun; },
+         [this](const Error& /*error*/) {
+             ++faults;
+             if (onFault)
+                 onFault();
+         },
+         [this](ScanOutcome /*outcome*/) { ++ended; },
+         [this](const Error& /*error*/, std::chrono::milliseconds wait) {
+             waits.push_back(wait);
+             ++recoveries;
+         },
+         [this](const std::vector<FaultRecord>& more) { records.insert(records.end(), more.begin(), more.end()); }},
+        recovery};
 
     std::vector<AcquiredItem> items()
     {
@@ -341,6 +346,49 @@ void AcquisitionLoopTest::whateverMovesComesToRestAtTheEnd()
     acquisition.loop.run();
 
     QCOMPARE(acquisition.source.ends.load(), 1);
+}
+
+/// A slice every 25 ms for 2.5 s, in which every look at the log finds the number of that look.
+void AcquisitionLoopTest::whatWentWrongWithDevicesIsToldOnceASecondAndAtTheEnd()
+{
+    Acquisition acquisition{emptySlices(100)};
+    acquisition.clock.advance(10s);
+    acquisition.source.onNext = [&](int /*call*/) -> Result<void> {
+        acquisition.clock.advance(25ms);
+        return {};
+    };
+    int looks = 0;
+    acquisition.source.onTakeLog = [&] {
+        return std::vector<FaultRecord>{{acquisition.clock.now(), "look", std::to_string(++looks), ""}};
+    };
+
+    acquisition.loop.run();
+
+    // After the first slice, a second later, another one later; where there are no more slices, and where all rests.
+    std::vector<std::chrono::nanoseconds> at;
+    for (const FaultRecord& record : acquisition.records)
+        at.push_back(record.at);
+    QCOMPARE(at, (std::vector<std::chrono::nanoseconds>{10'025ms, 11'025ms, 12'025ms, 12'525ms, 12'525ms}));
+    QCOMPARE(acquisition.records.back().text, std::string{"5"});
+}
+
+void AcquisitionLoopTest::whatLedToAFaultIsToldBeforeIt()
+{
+    Acquisition acquisition{emptySlices(3)};
+    acquisition.source.onNext = failOnce;
+    std::size_t toldBefore = 0;
+    acquisition.source.onTakeLog = [] { return std::vector<FaultRecord>{{1s, "laser-silent", "nothing came", ""}}; };
+    acquisition.onFault = [&] {
+        toldBefore = acquisition.records.size();
+        acquisition.source.onTakeLog = {};
+        acquisition.loop.retry();
+    };
+
+    acquisition.loop.run();
+
+    QCOMPARE(acquisition.faults.load(), 1);
+    QVERIFY(toldBefore >= 1);
+    QCOMPARE(acquisition.records.back().code, std::string{"laser-silent"});
 }
 
 }  // namespace planewright

@@ -40,7 +40,8 @@ public:
     std::function<Result<void>(int call)> onBegin;  ///< with the number of the call, from 1
     std::optional<int> planned;                     ///< where it is not the slices that there are
     int firstStep = 0;                              ///< is added to the steps of its slices
-    bool endless = false;                           ///< after the last slice it waits for a stop
+    std::function<std::vector<FaultRecord>()> onTakeLog;
+    bool endless = false;  ///< after the last slice it waits for a stop
 
     const ScanDescription& description() const override { return recording_.description; }
     std::optional<int> plannedSlices() const override
@@ -72,6 +73,7 @@ public:
             std::this_thread::sleep_for(std::chrono::milliseconds{1});
         return std::nullopt;
     }
+    std::vector<FaultRecord> takeLog() override { return onTakeLog ? onTakeLog() : std::vector<FaultRecord>{}; }
     Result<void> pause() override { return {}; }
     Result<void> resume() override { return {}; }
     Result<void> end() override
