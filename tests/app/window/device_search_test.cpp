@@ -25,7 +25,7 @@ private slots:
 
 namespace {
 
-constexpr int kPatience = 20'000;  // [ms]
+constexpr int kSearchPatience = 20'000;  // [ms]
 
 /// Finds nothing, and counts; waits inside a search until it is let through.
 struct CountedSearch {
@@ -64,7 +64,7 @@ void DeviceSearchTest::aStormOfChangesIsSearchedForMeanwhileAndAtItsEnd()
     const auto before = found.count();
     search.noteChange();
 
-    QTRY_VERIFY_WITH_TIMEOUT(found.count() > before, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(found.count() > before, kSearchPatience);
     QVERIFY(counted.begun <= 1 + storm.elapsed() / 500 + 1);
     QCOMPARE(counted.asking.load(), 0);
 }
@@ -76,15 +76,15 @@ void DeviceSearchTest::aChangeDuringASearchIsSearchedForAfterwards()
     DeviceSearch search(counted.find());
     QSignalSpy found(&search, &DeviceSearch::found);
     search.start(false);
-    QTRY_COMPARE_WITH_TIMEOUT(counted.begun.load(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(counted.begun.load(), 1, kSearchPatience);
 
     search.start(true);
     search.start(false);
     search.start(false);
     counted.waits = false;
 
-    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 2, kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(!search.isBusy(), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 2, kSearchPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!search.isBusy(), kSearchPatience);
     QCOMPARE(counted.begun.load(), 2);
     QCOMPARE(counted.asking.load(), 1);  // that somebody wanted them asked is not forgotten
 }
@@ -101,7 +101,7 @@ void DeviceSearchTest::whatIsAskedForWhileItIsHeldComesAfterwards()
     search.setHeld(false);
 
     QVERIFY(search.isBusy());
-    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, kSearchPatience);
     QCOMPARE(counted.asking.load(), 1);
 }
 
@@ -118,9 +118,9 @@ void DeviceSearchTest::lasersThatWereAskedStayKnown()
     QSignalSpy found(&search, &DeviceSearch::found);
 
     search.start(true);
-    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, kSearchPatience);
     search.start(false);
-    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 2, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(found.count(), 2, kSearchPatience);
 
     QVERIFY(given.at(0).empty());
     QCOMPARE(given.at(1), (KnownLasers{{"1-4", "00903971"}}));

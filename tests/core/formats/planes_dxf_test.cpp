@@ -22,14 +22,6 @@
 
 using namespace planewright;
 
-#ifdef __SANITIZE_ADDRESS__
-/// dime frees arrays as if they were single objects.
-extern "C" const char* __asan_default_options()
-{
-    return "alloc_dealloc_mismatch=0";
-}
-#endif
-
 /// Drawings are read back with dime, a library of their own.
 class PlanesDxfTest : public QObject {
     Q_OBJECT

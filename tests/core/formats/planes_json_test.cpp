@@ -249,8 +249,7 @@ void PlanesJsonTest::refusesAStreamThatFails()
     out.setstate(std::ios::badbit);
 
     QCOMPARE(readPlanesJson(in, "p.json").error().message,
-             std::string(
-                 "p.json: the file cannot be readPlanesJsonText; check that it is a file and that its disk is sound"));
+             std::string("p.json: the file cannot be read; check that it is a file and that its disk is sound"));
     QCOMPARE(writePlanesJson(out, {}, {}, "p").error().code, ErrorCode::NotWritten);
 }
 

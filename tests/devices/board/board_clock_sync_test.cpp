@@ -200,4 +200,4 @@ void BoardClockSyncTest::hostileStampsOverflowNothing()
 }  // namespace planewright
 
 PLANEWRIGHT_TEST(planewright::BoardClockSyncTest)
-#include "clock_sync_test.moc"
+#include "board_clock_sync_test.moc"

@@ -10,6 +10,7 @@
 #include "tests/devices/nodding/emulated_scanner.h"
 #include "tests/devices/nodding/faulty_link.h"
 #include "tests/devices/nodding/watched_link.h"
+#include "tests/sanitized.h"
 #include "tests/test_program.h"
 
 using namespace std::chrono_literals;
@@ -282,7 +283,8 @@ void NoddingFaultsTest::wrongAnglesAreNoticed()
 void NoddingFaultsTest::aFaultOfTheCableHeals_data()
 {
     QTest::addColumn<int>("seed");
-    const int seeds = qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG") ? 500 : 50;
+    const int smoke = kIsSanitized ? 10 : 50;
+    const int seeds = qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG") ? 500 : smoke;
     for (int seed = 1; seed <= seeds; ++seed)
         QTest::newRow(qPrintable(QString::number(seed))) << seed;
 }

@@ -182,7 +182,7 @@ void SerialLineTest::aPortThatIsHeldIsBusy()
 
     QVERIFY(!second);
     QCOMPARE(second.error().code, ErrorCode::NoDevice);
-    QVERIFY2(second.error().message.starts_with(pty.path + ": another program contains the port"),
+    QVERIFY2(second.error().message.starts_with(pty.path + ": another program holds the port"),
              second.error().message.c_str());
     // Whoever was refused has changed nothing.
     QVERIFY(sendText(pty.master, "abc"));

@@ -6,6 +6,7 @@
 #include <QSet>
 #include <QtTest>
 
+#include "tests/test_program.h"
 #include "ui/opengl/offscreen_window.h"
 #include "ui/opengl/opengl_source.h"
 
@@ -26,7 +27,6 @@ QSet<QString> passedFunctions()
 {
     QSet<QString> names;
 #define PASS(result, name, parameters, arguments) names.insert(QStringLiteral(#name));
-#include "tests/test_program.h"
 #include "ui/opengl/opengl_functions.h"
 #undef PASS
     return names;
