@@ -4,9 +4,9 @@
 #include "core/pipeline/end_point_method.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
+#include "core/pipeline/find_segment.h"
 #include "core/planes/assign_to_planes.h"
 #include "core/planes/fit_planes.h"
 #include "core/planes/fit_remaining_segments.h"
@@ -111,10 +111,8 @@ std::vector<Conditions> EndPointMethod::waysOfJoining(const SegmentId& segment, 
 /// The running number of a segment; −1 where it is not there.
 SegmentNumber EndPointMethod::numberOf(const SegmentId& segment) const
 {
-    const auto numbers = std::views::iota(SegmentNumber{0}, map_.segments.size());
-    const auto found = std::ranges::lower_bound(numbers, segment, {},
-                                                [this](SegmentNumber number) { return map_.segments[number].id; });
-    return found != numbers.end() && map_.segments[*found].id == segment ? *found : -1;
+    return findSegment(segment, map_.segments.size(),
+                       [this](SegmentNumber number) { return map_.segments[number].id; });
 }
 
 std::optional<PlaneId> EndPointMethod::ownerOf(const SegmentId& segment) const

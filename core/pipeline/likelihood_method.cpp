@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <string_view>
 #include <utility>
 
+#include "core/pipeline/find_segment.h"
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 
@@ -180,10 +180,7 @@ std::vector<Conditions> LikelihoodMethod::waysOfJoining(const SegmentId& segment
 /// The running number of a segment; −1 where it is not there.
 SegmentNumber LikelihoodMethod::numberOf(const SegmentId& segment) const
 {
-    const auto numbers = std::views::iota(SegmentNumber{0}, map_.segments());
-    const auto found =
-        std::ranges::lower_bound(numbers, segment, {}, [this](SegmentNumber number) { return idOf(number, map_); });
-    return found != numbers.end() && idOf(*found, map_) == segment ? *found : -1;
+    return findSegment(segment, map_.segments(), [this](SegmentNumber number) { return idOf(number, map_); });
 }
 
 std::optional<PlaneId> LikelihoodMethod::ownerOf(const SegmentId& segment) const

@@ -31,14 +31,14 @@ void StepReplay::add(std::shared_ptr<const ScanSlice> slice)
     slices_.push_back(std::move(slice));
 }
 
-void StepReplay::change(ParametersFrom change)
+void StepReplay::change(const ParametersFrom& change)
 {
     std::erase_if(changes_, [&](const ParametersFrom& other) { return other.step >= change.step; });
     const bool isTooLate = course_ && (course_->next > slices_.size() ||
                                        (course_->next > 0 && slices_[course_->next - 1]->step >= change.step));
     if (isTooLate)
         course_.reset();
-    changes_.push_back(std::move(change));
+    changes_.push_back(change);
 }
 
 Result<std::size_t> StepReplay::placeOf(int step) const

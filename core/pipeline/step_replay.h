@@ -35,7 +35,7 @@ public:
 
     /// Parameters in force from a step on, which is later than those before; after the last slice they are in force for
     /// the forced last pass. Those of a step that was told before are replaced.
-    void change(ParametersFrom change);
+    void change(const ParametersFrom& change);
 
     std::size_t slices() const { return slices_.size(); }
 
@@ -59,7 +59,7 @@ private:
             : extractor(std::make_unique<PlaneExtractor>(sensor, parameters, ExtractionOptions{{}, explain}))
         {
         }
-        void changeUpTo(int step, const std::vector<ParametersFrom>& changes);
+        void changeUpTo(int step, const std::vector<ParametersFrom>& all);
 
         std::unique_ptr<PlaneExtractor> extractor;
         std::size_t next = 0;  ///< place of the slice that is worked in next; one past the last: the last pass is done
