@@ -17,10 +17,36 @@ ScanHistory::ScanHistory(ScanDescription description, int plannedSteps)
 void ScanHistory::add(std::vector<ExtractedStep> steps)
 {
     for (ExtractedStep& step : steps) {
+        addToReplay(step);
+        lives_.add(*step.snapshot);
         if (step.slice)
             slices_.push_back(step.slice);
         steps_.push_back(std::move(step));
     }
+}
+
+void ScanHistory::addToReplay(const ExtractedStep& step)
+{
+    if (!replay_)
+        replay_.emplace(sensorOf(description_), *step.parameters);
+    else if (step.parameters != steps_.back().parameters)
+        replay_->change({step.slice ? step.slice->step : slices_.back()->step + 1, *step.parameters});
+    if (step.slice)
+        replay_->add(step.slice);
+}
+
+Result<std::shared_ptr<const PhasedStep>> ScanHistory::explained(int step)
+{
+    if (!replay_)
+        return fail(ErrorCode::Usage, "The scan has no steps yet. Ask again after its first slice.");
+    return replay_->at(step);
+}
+
+Result<WhyNot> ScanHistory::whyNot(int step, const Operand& a, const Operand& b)
+{
+    if (!replay_)
+        return fail(ErrorCode::Usage, "The scan has no steps yet. Ask again after its first slice.");
+    return replay_->whyNot(step, a, b);
 }
 
 std::vector<SharedSlice> ScanHistory::measured() const

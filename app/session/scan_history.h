@@ -4,10 +4,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/session/loops/snapshot_bridge.h"
 #include "app/session/session_map.h"
+#include "core/pipeline/plane_lives.h"
+#include "core/pipeline/step_replay.h"
 #include "core/types/recording.h"
 
 namespace planewright {
@@ -33,13 +36,26 @@ public:
     std::shared_ptr<const SessionMap> newest() const;
     std::shared_ptr<const SessionMap> at(int step) const;
 
+    /// Tells how a step went, or the forced last pass (kLastPass), made or not: by the slices and the parameters that
+    /// it was extracted with. Usage error where there is no such step.
+    Result<std::shared_ptr<const PhasedStep>> explained(int step);
+    /// Why two planes are not one, or a segment is not in a plane, after a step. Usage error as
+    /// PlaneExtractor::whyNot().
+    Result<WhyNot> whyNot(int step, const Operand& a, const Operand& b);
+
+    /// Where its planes come from and what became of them.
+    const PlaneLives& lives() const { return lives_; }
+
 private:
     std::shared_ptr<const SessionMap> mapOf(std::size_t steps) const;
+    void addToReplay(const ExtractedStep& step);
 
     ScanDescription description_;
     int plannedSteps_ = 0;
     std::vector<ExtractedStep> steps_;
     std::vector<SharedSlice> slices_;  ///< of the steps, without the forced last pass
+    PlaneLives lives_;
+    std::optional<StepReplay> replay_;  ///< of these; nothing before the first
 };
 
 }  // namespace planewright

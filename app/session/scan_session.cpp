@@ -237,6 +237,21 @@ std::shared_ptr<const SessionMap> ScanSession::mapAt(int step) const
     return parts_->history.at(step);
 }
 
+Result<std::shared_ptr<const PhasedStep>> ScanSession::explained(int step)
+{
+    return parts_->history.explained(step);
+}
+
+Result<WhyNot> ScanSession::whyNot(int step, const Operand& a, const Operand& b)
+{
+    return parts_->history.whyNot(step, a, b);
+}
+
+const PlaneLives& ScanSession::planeLives() const
+{
+    return parts_->history.lives();
+}
+
 SessionStatus ScanSession::status() const
 {
     return parts_->status();

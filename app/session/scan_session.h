@@ -14,6 +14,8 @@
 #include "app/session/session_machine.h"
 #include "app/session/session_map.h"
 #include "app/session/session_options.h"
+#include "core/pipeline/plane_lives.h"
+#include "core/pipeline/step_replay.h"
 
 namespace planewright {
 
@@ -87,6 +89,16 @@ public:
     const std::vector<ExtractedStep>& history() const;
     /// The scan as it was after a step, or after the last one before it; never null.
     std::shared_ptr<const SessionMap> mapAt(int step) const;
+    /// How a step went: what each phase left and every decision with its numbers; kLastPass for the forced last pass,
+    /// which is tried out on the slices so far where it has not been made. Scan and history stay as they are. Takes as
+    /// long as extracting the steps before it once more, but the step after the one that was asked for last only its
+    /// own. Usage error for a step that is not in history().
+    Result<std::shared_ptr<const PhasedStep>> explained(int step);
+    /// Why two planes are not one, or a segment is not in a plane, after a step: all conditions with their numbers.
+    /// Takes as long as explained(). Usage error for what is not there at that step.
+    Result<WhyNot> whyNot(int step, const Operand& a, const Operand& b);
+    /// Where the planes of history() come from and what became of them, in full with SessionOptions::explain.
+    const PlaneLives& planeLives() const;
     SessionStatus status() const;
     /// What the devices of the source say of themselves; nothing of a source that has none.
     std::vector<HealthFact> health() const;

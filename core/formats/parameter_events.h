@@ -7,16 +7,10 @@
 #include <vector>
 
 #include "core/formats/pwscan_notes.h"
-#include "core/params/parameters.h"
+#include "core/params/parameters_from.h"
 #include "core/types/error.h"
 
 namespace planewright {
-
-/// Parameters in force from a step on.
-struct ParametersFrom {
-    int step = 0;
-    Parameters parameters;
-};
 
 /// The event that says so; its payload is a preset file with all parameters.
 ScanEvent parametersEvent(int step, const Parameters& parameters);

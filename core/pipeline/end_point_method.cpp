@@ -3,8 +3,10 @@
 
 #include "core/pipeline/end_point_method.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "core/pipeline/find_segment.h"
 #include "core/planes/assign_to_planes.h"
 #include "core/planes/fit_planes.h"
 #include "core/planes/fit_remaining_segments.h"
@@ -68,11 +70,17 @@ void EndPointMethod::fitRemainingSegments(const Parameters& parameters, StepReco
 void EndPointMethod::finish(const Parameters& parameters, StepRecorder& recorder)
 {
     map_.comparedStep = -1;
+    recorder.begin(Phase::Finish, "fit");
     planewright::fitPlanes(map_, parameters, recorder, true);
+    recorder.begin(Phase::Finish, "remaining");
     planewright::fitRemainingSegments(map_, parameters, recorder, true);
+    recorder.begin(Phase::Finish, "split_merge");
     splitAndMerge(parameters, recorder);
+    recorder.begin(Phase::Finish, "reassign");
     reassignSegments(map_, parameters, recorder);
+    recorder.begin(Phase::Finish, "remaining");
     planewright::fitRemainingSegments(map_, parameters, recorder, true);
+    recorder.begin(Phase::Finish, "refine");
     for (GrowingPlane& plane : map_.planes)
         plane.refineIfChanged(map_.segments, parameters.planes, map_.step);
 }
@@ -84,6 +92,40 @@ void EndPointMethod::parametersChanged()
         for (auto& member : cluster.members)
             member.triedStep = -1;
     }
+}
+
+std::vector<Conditions> EndPointMethod::waysOfMerging(PlaneId a, PlaneId b, const Parameters& parameters)
+{
+    const GrowingPlane& first = map_.plane(a);
+    const GrowingPlane& second = map_.plane(b);
+    return {mergeConditions(first, second, map_.segments, parameters),
+            absorbConditions(first, second, map_, parameters)};
+}
+
+std::vector<Conditions> EndPointMethod::waysOfJoining(const SegmentId& segment, PlaneId plane,
+                                                      const Parameters& parameters)
+{
+    return waysIntoPlane(numberOf(segment), map_.plane(plane), map_, parameters);
+}
+
+/// The running number of a segment; −1 where it is not there.
+SegmentNumber EndPointMethod::numberOf(const SegmentId& segment) const
+{
+    return findSegment(segment, map_.segments.size(),
+                       [this](SegmentNumber number) { return map_.segments[number].id; });
+}
+
+std::optional<PlaneId> EndPointMethod::ownerOf(const SegmentId& segment) const
+{
+    const SegmentNumber number = numberOf(segment);
+    if (number < 0)
+        return std::nullopt;
+    return map_.segments.owner(number);
+}
+
+bool EndPointMethod::hasPlane(PlaneId plane) const
+{
+    return std::any_of(map_.planes.begin(), map_.planes.end(), [&](const auto& other) { return other.id() == plane; });
 }
 
 void EndPointMethod::count(StepCounts& counts) const

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/pipeline/extraction_method.h"
@@ -22,10 +23,16 @@ public:
     void fitRemainingSegments(const Parameters& parameters, StepRecorder& recorder) override;
     void finish(const Parameters& parameters, StepRecorder& recorder) override;
     void parametersChanged() override;
+    std::vector<Conditions> waysOfMerging(PlaneId a, PlaneId b, const Parameters& parameters) override;
+    std::vector<Conditions> waysOfJoining(const SegmentId& segment, PlaneId plane,
+                                          const Parameters& parameters) override;
+    std::optional<PlaneId> ownerOf(const SegmentId& segment) const override;
+    bool hasPlane(PlaneId plane) const override;
     void count(StepCounts& counts) const override;
     void publish(Snapshot& snapshot) override;
 
 private:
+    SegmentNumber numberOf(const SegmentId& segment) const;
     LineSegmentExtractor extractor_;
     PlaneMap map_;
     SegmentNumber first_ = 0;  // of the newest slice

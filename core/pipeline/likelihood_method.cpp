@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
+#include "core/pipeline/find_segment.h"
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 
@@ -70,7 +72,12 @@ void LikelihoodMethod::assignToPlanes(const Parameters&, StepRecorder& recorder)
 
 void LikelihoodMethod::addToClusters(const Parameters&, StepRecorder& recorder)
 {
-    for (const SegmentNumber number : unassigned_) {
+    addToClusters(unassigned_, recorder);
+}
+
+void LikelihoodMethod::addToClusters(const std::vector<SegmentNumber>& segments, StepRecorder& recorder)
+{
+    for (const SegmentNumber number : segments) {
         const auto joined = map_.clusters.add(number, directionOf(number, map_), inUse_.clusters);
         if (recorder.explains())
             recorder.decide(
@@ -87,7 +94,7 @@ void LikelihoodMethod::fitPlanes(const Parameters&, StepRecorder& recorder)
     dropYoungGrazing(map_, inUse_, recorder);
     seedTracks(map_, seededSlices_, inUse_, recorder);
     seededSlices_ = map_.slices();
-    dropOwnedFromClusters();
+    settleClusters(recorder);
 }
 
 void LikelihoodMethod::splitAndMerge(const Parameters&, StepRecorder& recorder)
@@ -98,38 +105,59 @@ void LikelihoodMethod::splitAndMerge(const Parameters&, StepRecorder& recorder)
 void LikelihoodMethod::fitRemainingSegments(const Parameters&, StepRecorder& recorder)
 {
     joinRemaining(map_, map_.slices() - kRemainingSlices, inUse_, recorder);
-    dropOwnedFromClusters();
+    settleClusters(recorder);
 }
 
 void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& recorder)
 {
     if (map_.slices() == 0)
         return;
+    const auto pass = [&](std::string_view name) {
+        settleClusters(recorder);
+        recorder.begin(Phase::Finish, name);
+    };
+    recorder.begin(Phase::Finish, "merge");
     pitchNoise_.add(map_, map_.slices(), inUse_.noise, inUse_.flatnessFloor());
     adapt(parameters);
     mergeTracks(map_, inUse_, recorder);
+    pass("split");
     splitTracks(map_, inUse_, recorder);
+    pass("split_contested");
     splitContested(map_, inUse_, recorder);
+    pass("thin");
     thinTracks(map_, inUse_, recorder);
+    pass("fit");
     seedTracks(map_, 0, inUse_, recorder);
+    pass("remaining");
     joinRemaining(map_, 0, inUse_, recorder);
+    pass("merge");
     mergeTracks(map_, inUse_, recorder);
+    pass("thin");
     thinTracks(map_, inUse_, recorder);
+    pass("drop_unfounded");
     dropUnfounded(map_, inUse_, recorder);
+    pass("fit_pairs");
     seedPairs(map_, inUse_, recorder);
+    pass("merge");
     mergeTracks(map_, inUse_, recorder);
+    pass("remaining");
     joinRemaining(map_, 0, inUse_, recorder);
+    pass("thin");
     thinTracks(map_, inUse_, recorder);
+    pass("split_contested");
     splitContested(map_, inUse_, recorder);
+    pass("drop_unfounded");
     dropUnfounded(map_, inUse_, recorder);
+    pass("refine");
     adaptLastFit(parameters);
     refineTracks(map_, inUse_);
-    dropOwnedFromClusters();
+    settleClusters(recorder);
 }
 
-void LikelihoodMethod::dropOwnedFromClusters()
+/// Clusters hold the segments that belong to no plane, those too that have just lost theirs.
+void LikelihoodMethod::settleClusters(StepRecorder& recorder)
 {
-    map_.clusters.remove([this](SegmentNumber number) { return map_.segment(number).owner != kNoPlane; });
+    addToClusters(map_.settleClusters(), recorder);
 }
 
 void LikelihoodMethod::parametersChanged()
@@ -137,6 +165,36 @@ void LikelihoodMethod::parametersChanged()
     for (PlaneTrack& plane : map_.planes())
         plane.comparedAt = plane.contestedAt = 0;
     estimatedAt_ = 0;
+}
+
+std::vector<Conditions> LikelihoodMethod::waysOfMerging(PlaneId a, PlaneId b, const Parameters&)
+{
+    return {mergeConditions(map_.plane(a), map_.plane(b), map_, inUse_)};
+}
+
+std::vector<Conditions> LikelihoodMethod::waysOfJoining(const SegmentId& segment, PlaneId plane, const Parameters&)
+{
+    return waysIntoTrack(numberOf(segment), map_.plane(plane), map_, inUse_);
+}
+
+/// The running number of a segment; −1 where it is not there.
+SegmentNumber LikelihoodMethod::numberOf(const SegmentId& segment) const
+{
+    return findSegment(segment, map_.segments(), [this](SegmentNumber number) { return idOf(number, map_); });
+}
+
+std::optional<PlaneId> LikelihoodMethod::ownerOf(const SegmentId& segment) const
+{
+    const SegmentNumber number = numberOf(segment);
+    if (number < 0)
+        return std::nullopt;
+    return map_.segment(number).owner;
+}
+
+bool LikelihoodMethod::hasPlane(PlaneId plane) const
+{
+    return std::any_of(map_.planes().begin(), map_.planes().end(),
+                       [&](const PlaneTrack& other) { return other.id == plane; });
 }
 
 void LikelihoodMethod::count(StepCounts& counts) const

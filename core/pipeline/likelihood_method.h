@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/pipeline/extraction_method.h"
@@ -24,11 +25,18 @@ public:
     void fitRemainingSegments(const Parameters& parameters, StepRecorder& recorder) override;
     void finish(const Parameters& parameters, StepRecorder& recorder) override;
     void parametersChanged() override;
+    std::vector<Conditions> waysOfMerging(PlaneId a, PlaneId b, const Parameters& parameters) override;
+    std::vector<Conditions> waysOfJoining(const SegmentId& segment, PlaneId plane,
+                                          const Parameters& parameters) override;
+    std::optional<PlaneId> ownerOf(const SegmentId& segment) const override;
+    bool hasPlane(PlaneId plane) const override;
     void count(StepCounts& counts) const override;
     void publish(Snapshot& snapshot) override;
 
 private:
-    void dropOwnedFromClusters();
+    SegmentNumber numberOf(const SegmentId& segment) const;
+    void addToClusters(const std::vector<SegmentNumber>& segments, StepRecorder& recorder);
+    void settleClusters(StepRecorder& recorder);
     void adapt(const Parameters& parameters);
     void adaptLastFit(const Parameters& parameters);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/planes/assign_to_planes.h"
 #include "core/planes/segment_run.h"
@@ -23,10 +24,10 @@ bool fits(SegmentNumber segment, const GrowingPlane& plane, const PlaneMap& map,
 
 /// Share of a plane's segments that fit another plane, or 0 once it cannot reach the share asked for.
 double sharedPart(const GrowingPlane& plane, const GrowingPlane& other, const PlaneMap& map,
-                  const Parameters& parameters)
+                  const Parameters& parameters, double asked)
 {
     const auto total = static_cast<double>(plane.members().size());
-    const double allowed = (1.0 - parameters.planes.mergeShare) * total;
+    const double allowed = (1.0 - asked) * total;
     double strangers = 0.0;
     for (const SegmentNumber segment : plane.members()) {
         if (!fits(segment, other, map, parameters)) {
@@ -38,6 +39,30 @@ double sharedPart(const GrowingPlane& plane, const GrowingPlane& other, const Pl
     return (total - strangers) / total;
 }
 
+bool isLarger(const GrowingPlane& other, const GrowingPlane& plane)
+{
+    return other.members().size() > plane.members().size();
+}
+
+/// Asks whether a plane covers another, of whose segments it shares this part, until a condition fails or all are
+/// asked.
+std::vector<Test> coverTests(const GrowingPlane& plane, const GrowingPlane& other, double share, const PlaneMap& map,
+                             const Parameters& parameters, bool all)
+{
+    std::vector<Test> tests;
+    const auto goesOn = [&](const Test& test) {
+        tests.push_back(test);
+        return all || test.pass();
+    };
+    if (goesOn({"shared_segments", share, Comparison::GreaterEqual, parameters.planes.mergeShare}) &&
+        goesOn({"in_plane_gap", inPlaneGap(plane, other, map.segments, parameters.planes.mergeGap),
+                Comparison::LessEqual, parameters.planes.mergeGap}))
+        goesOn({"contested",
+                contestedShare(plane.members(), other.normal(), other.distance(), map.segments, parameters.planes),
+                Comparison::LessEqual, parameters.planes.maxContested});
+    return tests;
+}
+
 /// The larger plane that covers most of a plane, if any covers enough.
 std::optional<std::size_t> coverOf(std::size_t place, const PlaneMap& map, const Parameters& parameters,
                                    std::vector<Test>& tests)
@@ -47,28 +72,36 @@ std::optional<std::size_t> coverOf(std::size_t place, const PlaneMap& map, const
     double best = 0.0;
     for (std::size_t i = 0; i < map.planes.size(); ++i) {
         const GrowingPlane& other = map.planes[i];
-        if (i == place || other.members().size() <= plane.members().size() || plane.changedStep() < map.comparedStep)
+        if (i == place || !isLarger(other, plane) || plane.changedStep() < map.comparedStep)
             continue;
-        const double share = sharedPart(plane, other, map, parameters);
-        if (share < parameters.planes.mergeShare || share <= best)
+        const double share = sharedPart(plane, other, map, parameters, parameters.planes.mergeShare);
+        if (share <= best)
             continue;
-        const double gap = inPlaneGap(plane, other, map.segments, parameters.planes.mergeGap);
-        if (gap > parameters.planes.mergeGap)
-            continue;
-        const double contested =
-            contestedShare(plane.members(), other.normal(), other.distance(), map.segments, parameters.planes);
-        if (contested > parameters.planes.maxContested)
+        std::vector<Test> asked = coverTests(plane, other, share, map, parameters, false);
+        if (!asked.back().pass())
             continue;
         best = share;
         cover = i;
-        tests = {{"shared_segments", share, Comparison::GreaterEqual, parameters.planes.mergeShare},
-                 {"in_plane_gap", gap, Comparison::LessEqual, parameters.planes.mergeGap},
-                 {"contested", contested, Comparison::LessEqual, parameters.planes.maxContested}};
+        tests = std::move(asked);
     }
     return cover;
 }
 
 }  // namespace
+
+Conditions absorbConditions(const GrowingPlane& a, const GrowingPlane& b, const PlaneMap& map,
+                            const Parameters& parameters)
+{
+    const GrowingPlane& larger = isLarger(b, a) ? b : a;
+    const GrowingPlane& plane = isLarger(b, a) ? a : b;
+    Conditions way{"absorb",
+                   {{"segments", static_cast<double>(larger.members().size()), Comparison::Greater,
+                     static_cast<double>(plane.members().size())}}};
+    const double share = sharedPart(plane, larger, map, parameters, 0.0);
+    const std::vector<Test> tests = coverTests(plane, larger, share, map, parameters, true);
+    way.tests.insert(way.tests.end(), tests.begin(), tests.end());
+    return way;
+}
 
 void absorbPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)
 {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/planes/segment_run.h"
 
@@ -21,10 +22,63 @@ bool leansOut(SegmentNumber segment, const GrowingPlane& plane, const SegmentTab
            isContested(segment, plane.normal(), plane.distance(), table, parameters);
 }
 
-/// Why a segment that is near enough to a plane was not assigned to it.
-std::vector<Test> contestedTest()
+Test contestedTest(bool leans)
 {
-    return {{"contested", 1.0, Comparison::LessEqual, 0.0}};
+    return {"contested", leans ? 1.0 : 0.0, Comparison::LessEqual, 0.0};
+}
+
+std::vector<Test> matchTests(const AssignmentTest& test)
+{
+    return {{"plane_distance", test.distance, Comparison::Less, test.distanceLimit},
+            {"orthogonality", test.orthogonality, Comparison::Less, test.orthogonalityLimit}};
+}
+
+/// The plane that a segment is assigned to, if one matches, and that nearest to it.
+struct BestPlane {
+    GrowingPlane* best = nullptr;
+    AssignmentTest test;
+    GrowingPlane* nearest = nullptr;  // for the explanation of what does not match
+};
+
+BestPlane bestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, int since,
+                    PlaneId without = kNoPlane)
+{
+    const LineSegment& segment = map.segments[number];
+    const double reach = squaredReach(segment, parameters.assignment);
+    BestPlane found;
+    double nearestDistance = std::numeric_limits<double>::infinity();
+    for (GrowingPlane& plane : map.planes) {
+        if (plane.changedStep() < since || plane.id() == without)
+            continue;
+        const double distance = fartherEnd(segment, plane);
+        if (distance < nearestDistance) {
+            found.nearest = &plane;
+            nearestDistance = distance;
+        }
+        if (distance * distance >= reach || (found.best != nullptr && distance >= found.test.distance))
+            continue;
+        const AssignmentTest test = compareForAssignment(segment, plane, parameters.assignment);
+        if (test.pass() && !leansOut(number, plane, map.segments, parameters.planes)) {
+            found.best = &plane;
+            found.test = test;
+        }
+    }
+    return found;
+}
+
+void explainAssignment(const LineSegment& segment, const BestPlane& found, const Parameters& parameters,
+                       StepRecorder& recorder)
+{
+    const auto& [best, bestTest, nearest] = found;
+    if (best != nullptr)
+        recorder.decide(DecisionKind::Assign, {segment.id, PlaneRef{best->id()}}, matchTests(bestTest),
+                        {PlaneRef{best->id()}});
+    else if (nearest != nullptr) {
+        const AssignmentTest test = compareForAssignment(segment, *nearest, parameters.assignment);
+        recorder.decide(DecisionKind::Reject, {segment.id, PlaneRef{nearest->id()}},
+                        test.pass() ? std::vector{contestedTest(true)} : matchTests(test));
+    } else
+        recorder.decide(DecisionKind::Reject, {segment.id}, {});
 }
 
 }  // namespace
@@ -49,44 +103,10 @@ AssignmentTest compareForAssignment(const LineSegment& segment, const GrowingPla
 bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder,
                        int since)
 {
-    const LineSegment& segment = map.segments[number];
-    const double reach = squaredReach(segment, parameters.assignment);
-    GrowingPlane* best = nullptr;
-    AssignmentTest bestTest;
-    GrowingPlane* nearest = nullptr;  // for the explanation of what does not match
-    double nearestDistance = std::numeric_limits<double>::infinity();
-    for (GrowingPlane& plane : map.planes) {
-        if (plane.changedStep() < since)
-            continue;
-        const double distance = fartherEnd(segment, plane);
-        if (distance < nearestDistance) {
-            nearest = &plane;
-            nearestDistance = distance;
-        }
-        if (distance * distance >= reach || (best != nullptr && distance >= bestTest.distance))
-            continue;
-        const AssignmentTest test = compareForAssignment(segment, plane, parameters.assignment);
-        if (test.pass() && !leansOut(number, plane, map.segments, parameters.planes)) {
-            best = &plane;
-            bestTest = test;
-        }
-    }
-
-    if (recorder.explains()) {
-        const auto describe = [](const AssignmentTest& test) {
-            return std::vector<Test>{{"plane_distance", test.distance, Comparison::Less, test.distanceLimit},
-                                     {"orthogonality", test.orthogonality, Comparison::Less, test.orthogonalityLimit}};
-        };
-        if (best != nullptr)
-            recorder.decide(DecisionKind::Assign, {segment.id, PlaneRef{best->id()}}, describe(bestTest),
-                            {PlaneRef{best->id()}});
-        else if (nearest != nullptr) {
-            const AssignmentTest test = compareForAssignment(segment, *nearest, parameters.assignment);
-            recorder.decide(DecisionKind::Reject, {segment.id, PlaneRef{nearest->id()}},
-                            test.pass() ? contestedTest() : describe(test));
-        } else
-            recorder.decide(DecisionKind::Reject, {segment.id}, {});
-    }
+    const BestPlane found = bestPlane(number, map, parameters, since);
+    if (recorder.explains())
+        explainAssignment(map.segments[number], found, parameters, recorder);
+    GrowingPlane* best = found.best;
     if (best == nullptr)
         return false;
 
@@ -95,6 +115,35 @@ bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& pa
     if (best->addedSinceRefit() >= parameters.assignment.refitEvery)
         best->refit(map.segments, parameters.planes, map.step);
     return true;
+}
+
+std::vector<Conditions> waysIntoPlane(SegmentNumber number, const GrowingPlane& plane, PlaneMap& map,
+                                      const Parameters& parameters)
+{
+    const LineSegment& segment = map.segments[number];
+    const PlaneId owner = map.segments.owner(number);
+    const AssignmentTest test = compareForAssignment(segment, plane, parameters.assignment);
+    const bool isElsewhere = owner != kNoPlane && owner != plane.id();
+
+    std::vector<Conditions> ways{{"assign", matchTests(test)}};
+    std::vector<Test>& tests = ways.front().tests;
+    tests.push_back(contestedTest(leansOut(number, plane, map.segments, parameters.planes)));
+    if (isElsewhere)
+        tests.push_back({"in_other_plane", 1.0, Comparison::LessEqual, 0.0});
+    // Of planes at the same distance the one that was made first takes the segment.
+    const BestPlane other = bestPlane(number, map, parameters, -1, plane.id());
+    if (other.best != nullptr)
+        tests.push_back({"distance_of_next", test.distance,
+                         plane.id() < other.best->id() ? Comparison::LessEqual : Comparison::Less,
+                         other.test.distance});
+    if (isElsewhere) {
+        Conditions moves{"reassign", {{"distance_of_own", test.distance, Comparison::Less, 0.0}}};
+        moves.tests.front().limit = fartherEnd(segment, map.plane(owner));
+        const std::vector<Test> matches = matchTests(test);
+        moves.tests.insert(moves.tests.end(), matches.begin(), matches.end());
+        ways.push_back(std::move(moves));
+    }
+    return ways;
 }
 
 std::vector<SegmentNumber> assignToPlanes(SegmentNumber first, PlaneMap& map, const Parameters& parameters,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/planes/plane_map.h"
+#include "core/types/why_not.h"
 
 namespace planewright {
 
@@ -46,6 +47,11 @@ inline double squaredReach(const LineSegment& segment, const AssignmentParameter
 /// (segment_run.h), and so is one that has not changed since step `since`.
 bool assignToBestPlane(SegmentNumber number, PlaneMap& map, const Parameters& parameters, StepRecorder& recorder,
                        int since = -1);
+
+/// The ways in which a segment may come to a plane, as things are: it is assigned, or in the last pass moves there from
+/// the plane that it belongs to.
+std::vector<Conditions> waysIntoPlane(SegmentNumber number, const GrowingPlane& plane, PlaneMap& map,
+                                      const Parameters& parameters);
 
 /// Assigns the segments from `first` on to existing planes (section 4.1.4, Table III); gives those left over.
 std::vector<SegmentNumber> assignToPlanes(SegmentNumber first, PlaneMap& map, const Parameters& parameters,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
@@ -50,13 +52,23 @@ void considerNeighbours(SegmentNumber number, int from, int to, TrackMap& map, c
     }
 }
 
-/// Whether a plane has a segment in one of the slices about a place.
-bool isInSight(const PlaneTrack& plane, int place, const TrackMap& map)
+/// How many slices a place is away from the nearest slice in which a plane has a segment.
+int slicesAway(const PlaneTrack& plane, int place, const TrackMap& map)
 {
     const auto next =
-        std::lower_bound(plane.members.begin(), plane.members.end(), place - kSightSlices,
+        std::lower_bound(plane.members.begin(), plane.members.end(), place,
                          [&](SegmentNumber number, int wanted) { return map.segment(number).slice < wanted; });
-    return next != plane.members.end() && map.segment(*next).slice <= place + kSightSlices;
+    int away = std::numeric_limits<int>::max();
+    if (next != plane.members.end())
+        away = map.segment(*next).slice - place;
+    if (next != plane.members.begin())
+        away = std::min(away, place - map.segment(*(next - 1)).slice);
+    return away;
+}
+
+bool isInSight(const PlaneTrack& plane, int place, const TrackMap& map)
+{
+    return slicesAway(plane, place, map) <= kSightSlices;
 }
 
 /// A plane that is known well and was seen lately may be joined without facing it: across a door, behind a pillar.
@@ -75,6 +87,29 @@ void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parame
     }
 }
 
+/// The plane of the segments around one that it fits best.
+JoinCandidate bestFacing(SegmentNumber number, TrackMap& map, const Parameters& parameters)
+{
+    const int place = map.segment(number).slice;
+    JoinCandidate best;
+    considerNeighbours(number, place, place - map.lookback(place), map, parameters, best);
+    if (place + 1 < map.slices())
+        considerNeighbours(number, place + 1, place + map.lookahead(place), map, parameters, best);
+    return best;
+}
+
+/// Whether a segment faces one of a plane in the slices around it.
+bool faces(SegmentNumber number, PlaneId plane, const TrackMap& map)
+{
+    const int place = map.segment(number).slice;
+    bool found = false;
+    for (int other = place - map.lookback(place); other <= place + map.lookahead(place) && !found; ++other)
+        map.visitOverlaps(other, map.beams(number), kOverlapMargin, [&](SegmentNumber facing) {
+            found = found || (facing != number && map.segment(facing).owner == plane);
+        });
+    return found;
+}
+
 void explain(SegmentNumber number, const JoinCandidate& best, const TrackMap& map, StepRecorder& recorder)
 {
     if (!recorder.explains())
@@ -86,7 +121,57 @@ void explain(SegmentNumber number, const JoinCandidate& best, const TrackMap& ma
                         {{"join_chi2", best.chi, Comparison::Less, best.gate}}, {PlaneRef{best.plane->id}});
 }
 
+/// Whether a segment in reach of a plane fits it, and better than another does.
+void askFit(SegmentNumber number, PlaneTrack& plane, double floor, double gate, const JoinCandidate& rival,
+            TrackMap& map, const Parameters& parameters, std::vector<Test>& tests)
+{
+    tests.push_back(
+        {"steepness", map.seenIn(plane, map.segment(number).slice).steepness, Comparison::Greater, kLeastSteepness});
+    if (!tests.back().pass())
+        return;
+    const double chi = map.joinChi(plane, number, parameters.noise, floor);
+    tests.push_back({"join_chi2", chi, Comparison::Less, gate});
+    if (rival.plane != nullptr && rival.plane != &plane)
+        tests.push_back({"rival_chi2", chi, Comparison::Less, rival.chi});
+}
+
 }  // namespace
+
+std::vector<Conditions> waysIntoTrack(SegmentNumber number, PlaneTrack& plane, TrackMap& map,
+                                      const Parameters& parameters)
+{
+    TrackedSegment& segment = map.segment(number);
+    // Planes that did not fit it before are asked again.
+    const std::int64_t left = std::exchange(segment.left, -1);
+    const JoinCandidate facing = bestFacing(number, map, parameters);
+    JoinCandidate known;
+    considerKnown(number, map, parameters, known);
+    segment.left = left;
+
+    std::vector<Conditions> ways{{"join_facing", {}}, {"join_known", {}}};
+    const bool isElsewhere = segment.owner != kNoPlane && segment.owner != plane.id;
+    if (isElsewhere) {
+        for (Conditions& way : ways)
+            way.tests.push_back({"in_other_plane", 1.0, Comparison::LessEqual, 0.0});
+    }
+    const double floor = parameters.flatnessFloor();
+    std::vector<Test>& nearby = ways[0].tests;
+    nearby.push_back({"facing", faces(number, plane.id, map) ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0});
+    if (facing.plane != nullptr && facing.plane != &plane && facing.chi < kCertain)
+        nearby.push_back({"certain_elsewhere", facing.chi, Comparison::GreaterEqual, kCertain});
+    askFit(number, plane, floor, parameters.likelihood.joinGate, facing, map, parameters, nearby);
+
+    const double knownAngle = parameters.likelihood.knownAngle;
+    std::vector<Test>& afar = ways[1].tests;
+    afar.push_back({"fits_facing_plane", facing.plane != nullptr ? 1.0 : 0.0, Comparison::LessEqual, 0.0});
+    afar.push_back({"normal_variance", plane.estimate.normalVariance(), Comparison::Less, knownAngle * knownAngle});
+    afar.push_back({"slices_away", static_cast<double>(slicesAway(plane, segment.slice, map)), Comparison::LessEqual,
+                    static_cast<double>(kSightSlices)});
+    askFit(number, plane, 0.5 * floor, parameters.likelihood.apartGate, known, map, parameters, afar);
+    if (isElsewhere)
+        ways.push_back(wayToMove(number, plane, map, parameters));
+    return ways;
+}
 
 const std::vector<SegmentNumber>& joinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {
@@ -128,10 +213,7 @@ void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, 
         for (SegmentNumber number = slice.first; number < slice.end; ++number) {
             if (map.segment(number).owner != kNoPlane)
                 continue;
-            JoinCandidate best;
-            considerNeighbours(number, place, place - map.lookback(place), map, parameters, best);
-            if (place + 1 < map.slices())
-                considerNeighbours(number, place + 1, place + map.lookahead(place), map, parameters, best);
+            JoinCandidate best = bestFacing(number, map, parameters);
             if (best.plane == nullptr)
                 considerKnown(number, map, parameters, best);
             if (best.plane == nullptr) {

@@ -77,16 +77,16 @@ bool passes(const Pair& pair)
     return std::all_of(pair.tests.begin(), pair.tests.end(), [](const Test& test) { return test.pass(); });
 }
 
-/// Compares two planes for merging; none where they are out of the question.
+/// Compares two planes for merging; none where they are out of the question, unless everything is asked of all.
 std::optional<Pair> compare(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
-                            const Parameters& parameters)
+                            const Parameters& parameters, bool everything = false)
 {
     const PlaneParameters& planes = parameters.planes;
     const double alignment = std::abs(a.normal().dot(b.normal()));
     const double angleSigma = std::sqrt(a.normalVariance() + b.normalVariance());
     const double alignmentLimit =
         std::cos(std::clamp(planes.mergeSigmas * angleSigma, planes.mergeAngle, 4.0 * planes.mergeAngle));
-    if (alignment <= alignmentLimit)
+    if (alignment <= alignmentLimit && !everything)
         return std::nullopt;
 
     WeightedSums sums = a.sums();
@@ -95,7 +95,7 @@ std::optional<Pair> compare(const GrowingPlane& a, const GrowingPlane& b, const 
     const double errorA = a.sums().meanError(together.normal, together.distance);
     const double errorB = b.sums().meanError(together.normal, together.distance);
     const double error = std::max(errorA, errorB);
-    if (error > kNearFactor * planes.errorLimit)
+    if (error > kNearFactor * planes.errorLimit && !everything)
         return std::nullopt;
     const PairDistance distance = planePairDistance(a, b, table, parameters);
     Pair pair{a.id(), b.id(), distance.value, {}};
@@ -103,7 +103,7 @@ std::optional<Pair> compare(const GrowingPlane& a, const GrowingPlane& b, const 
                   {"plane_distance", distance.value, Comparison::Less, distance.limit},
                   {"in_plane_gap", inPlaneGap(a, b, table, planes.mergeGap), Comparison::LessEqual, planes.mergeGap},
                   {"fitting_error", error, Comparison::LessEqual, planes.errorLimit}};
-    if (passes(pair)) {
+    if (everything || passes(pair)) {
         const auto contestedBy = [&](const GrowingPlane& plane) {
             return contestedShare(plane.members(), together.normal, together.distance, table, planes);
         };
@@ -166,6 +166,13 @@ double inPlaneGap(const GrowingPlane& a, const GrowingPlane& b, const SegmentTab
             gap = std::min(gap, segmentDistance(table[i], table[j]));
     }
     return gap;
+}
+
+Conditions mergeConditions(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
+                           const Parameters& parameters)
+{
+    const bool inOrder = a.id() < b.id();
+    return {"merge", compare(inOrder ? a : b, inOrder ? b : a, table, parameters, true)->tests};
 }
 
 void mergePlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder)

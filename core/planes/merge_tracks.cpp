@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
@@ -67,36 +68,68 @@ double worseTogether(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, co
     return meanErrorOf(both) * weight(both) / (scatterOf(a) * weight(a) + scatterOf(b) * weight(b));
 }
 
-/// Whether two planes are one: by their covariances, or, where these tell too little because segments scatter, by how
-/// well one explains the segments of both. What was compared is told where they nearly are.
-bool areOne(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters,
-            StepRecorder& recorder)
+Test alignmentTest(const PlaneTrack& a, const PlaneTrack& b)
 {
-    const double alignment = std::abs(a.estimate.normal().dot(b.estimate.normal()));
-    if (alignment <= kAlignment)
-        return false;
+    return {"normal_alignment", std::abs(a.estimate.normal().dot(b.estimate.normal())), Comparison::Greater,
+            kAlignment};
+}
+
+/// Whether two planes are near enough for a closer look: by their covariances, or, where these tell too little because
+/// segments scatter, by covariances that grow by as much.
+struct Nearness {
+    Test near;
+    std::optional<Test> scattered;
+
+    bool pass() const { return near.pass() && (!scattered || scattered->pass()); }
+};
+
+Nearness nearnessOf(const PlaneTrack& a, const PlaneTrack& b, const Parameters& parameters)
+{
     const double gate = parameters.likelihood.mergeGate;
     const double floor = 0.5 * parameters.flatnessFloor();
     const double chi = a.estimate.mergeChi(b.estimate, floor, 1.0);
     const double scatter = std::max(scatterOf(a), scatterOf(b));
-    if (!(chi < kNearGates * gate * scatter))
-        return false;
-    const bool scatters = chi >= gate && scatter > 1.0;
-    if (scatters && !(a.estimate.mergeChi(b.estimate, floor, 1.0, scatterOf(a), scatterOf(b)) < kNearGates * gate))
-        return false;
+    Nearness nearness{{"near_chi2", chi, Comparison::Less, kNearGates * gate * scatter}, std::nullopt};
+    if (chi >= gate && scatter > 1.0)
+        nearness.scattered = {"scattered_chi2", a.estimate.mergeChi(b.estimate, floor, 1.0, scatterOf(a), scatterOf(b)),
+                              Comparison::Less, kNearGates * gate};
+    return nearness;
+}
+
+/// Whether two planes are beside each other, or known so well that it does not matter.
+Test adjacencyTest(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map, const Parameters& parameters)
+{
     const double known = parameters.likelihood.mergeAngle * parameters.likelihood.mergeAngle;
     const bool sharp = a.estimate.normalVariance() < known && b.estimate.normalVariance() < known;
-    const bool beside = sharp || sideBySide(a, b, map);
-    std::vector<Test> tests{{"normal_alignment", alignment, Comparison::Greater, kAlignment},
-                            {"adjacent", beside ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0}};
-    if (beside && scatters)
-        tests.push_back({"worse_together", worseTogether(a, b, map, parameters), Comparison::Less, kWorse});
-    else
-        tests.push_back({"merge_chi2", chi, Comparison::Less, gate});
-    const bool one = std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); });
+    return {"adjacent", sharp || sideBySide(a, b, map) ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0};
+}
+
+/// Whether they are one: by their covariances, or, where segments scatter, by how well one explains those of both.
+Test onenessTest(const PlaneTrack& a, const PlaneTrack& b, const Nearness& nearness, bool isAdjacent, TrackMap& map,
+                 const Parameters& parameters)
+{
+    if (isAdjacent && nearness.scattered)
+        return {"worse_together", worseTogether(a, b, map, parameters), Comparison::Less, kWorse};
+    return {"merge_chi2", nearness.near.value, Comparison::Less, parameters.likelihood.mergeGate};
+}
+
+/// Whether two planes are one. What was compared is told where they nearly are.
+bool areOne(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters,
+            StepRecorder& recorder)
+{
+    const Test alignment = alignmentTest(a, b);
+    if (!alignment.pass())
+        return false;
+    const Nearness nearness = nearnessOf(a, b, parameters);
+    if (!nearness.pass())
+        return false;
+    const Test adjacent = adjacencyTest(a, b, map, parameters);
+    const Test oneness = onenessTest(a, b, nearness, adjacent.pass(), map, parameters);
+    const bool one = adjacent.pass() && oneness.pass();
     if (recorder.explains())
         recorder.decide(
-            one ? DecisionKind::Merge : DecisionKind::Near, {PlaneRef{a.id}, PlaneRef{b.id}}, std::move(tests),
+            one ? DecisionKind::Merge : DecisionKind::Near, {PlaneRef{a.id}, PlaneRef{b.id}},
+            {alignment, adjacent, oneness},
             one ? std::vector<Operand>{PlaneRef{a.points >= b.points ? a.id : b.id}} : std::vector<Operand>{});
     return one;
 }
@@ -152,6 +185,21 @@ bool mergeGrown(TrackMap& map, const Parameters& parameters, StepRecorder& recor
 }
 
 }  // namespace
+
+Conditions mergeConditions(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters)
+{
+    const bool inOrder = a.id < b.id;
+    const PlaneTrack& first = inOrder ? a : b;
+    const PlaneTrack& second = inOrder ? b : a;
+    const Nearness nearness = nearnessOf(first, second, parameters);
+    const Test adjacent = adjacencyTest(first, second, map, parameters);
+    Conditions way{"merge", {alignmentTest(first, second), nearness.near}};
+    if (nearness.scattered)
+        way.tests.push_back(*nearness.scattered);
+    way.tests.push_back(adjacent);
+    way.tests.push_back(onenessTest(first, second, nearness, adjacent.pass(), map, parameters));
+    return way;
+}
 
 void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
 {

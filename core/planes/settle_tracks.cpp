@@ -27,6 +27,12 @@ constexpr std::size_t kThinned = 60;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
+/// Whether a segment fits another plane so much better than its own that it moves.
+Test moveTest(double chi, double own)
+{
+    return {"moved_chi2", chi + kContent, Comparison::Less, own};
+}
+
 struct Better {
     PlaneTrack* plane = nullptr;
     double chi;
@@ -141,7 +147,7 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
             continue;
         const Better better = bestAround(number, map, parameters);
         const double gate = parameters.likelihood.joinGate;
-        const bool goes = better.plane != nullptr && better.chi + kContent < chi;
+        const bool goes = better.plane != nullptr && moveTest(better.chi, chi).pass();
         if (!goes && chi < gate)
             continue;
         if (recorder.explains()) {
@@ -156,10 +162,25 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
         changed.push_back(owner);
         if (goes)
             changed.push_back(better.plane->id);
-        map.segment(number).owner = goes ? better.plane->id : kNoPlane;
+        if (goes)
+            map.segment(number).owner = better.plane->id;
+        else
+            map.free(number);
     }
     for (PlaneTrack* plane : map.collectMembers(changed, step))
         map.rebuild(*plane, parameters);
+}
+
+Conditions wayToMove(SegmentNumber number, PlaneTrack& plane, TrackMap& map, const Parameters& parameters)
+{
+    const double floor = parameters.flatnessFloor();
+    PlaneTrack& own = map.plane(map.segment(number).owner);
+    const double chi = map.joinChi(plane, number, parameters.noise, floor);
+    const double chiOfOwn = map.joinChi(own, number, parameters.noise, floor);
+    return {"move",
+            {{"own_chi2", chiOfOwn, Comparison::Greater, kContent},
+             {"join_chi2", chi, Comparison::Less, parameters.likelihood.joinGate},
+             moveTest(chi, chiOfOwn)}};
 }
 
 void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
@@ -180,7 +201,7 @@ void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recor
             const auto worst = plane.members.begin() + (std::max_element(chis.begin(), chis.end()) - chis.begin());
             recorder.decide(DecisionKind::Split, {PlaneRef{plane.id}, idOf(*worst, map)},
                             {{"reduced_chi2", reduced, Comparison::Greater, limit}}, {PlaneRef{plane.id}});
-            map.segment(*worst).owner = kNoPlane;
+            map.free(*worst);
             plane.members.erase(worst);
             map.stamp(plane);
             if (!map.rebuild(plane, parameters))

@@ -7,6 +7,7 @@
 
 #include "core/planes/plane_map.h"
 #include "core/planes/plane_search.h"
+#include "core/types/why_not.h"
 
 namespace planewright {
 
@@ -45,6 +46,10 @@ double inPlaneGap(const GrowingPlane& a, const GrowingPlane& b, const SegmentTab
 /// neither is contested where both would lie.
 void mergePlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
 
+/// The conditions on which two planes are merged, all of them, as they are.
+Conditions mergeConditions(const GrowingPlane& a, const GrowingPlane& b, const SegmentTable& table,
+                           const Parameters& parameters);
+
 /// Dissolves planes into larger ones that cover them: where at least `planes.merge-share` of a plane's segments pass
 /// the assignment test, Eq. (8), with a larger plane within the gap, they go to that plane, and the others to the
 /// clusters, unless their runs contest the larger plane.
@@ -53,5 +58,9 @@ void mergePlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& reco
 /// segments lie on a wall that is known well by now. Planes that have not changed since
 /// they were compared last are passed over. Ends the comparison of pairs of this step.
 void absorbPlanes(PlaneMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// The conditions on which the smaller of two planes is dissolved into the other, all of them, as they are.
+Conditions absorbConditions(const GrowingPlane& a, const GrowingPlane& b, const PlaneMap& map,
+                            const Parameters& parameters);
 
 }  // namespace planewright

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/types/angle.h"
 
@@ -228,8 +229,27 @@ std::vector<PlaneTrack*> TrackMap::collectMembers(std::span<const PlaneId> chang
 void TrackMap::dissolve(PlaneId id)
 {
     for (const SegmentNumber number : plane(id).members)
-        segment(number).owner = kNoPlane;
+        free(number);
     std::erase_if(planes_, [id](const PlaneTrack& plane) { return plane.id == id; });
+}
+
+std::vector<SegmentNumber> TrackMap::settleClusters()
+{
+    clusters.remove([this](SegmentNumber number) { return segment(number).owner != kNoPlane; });
+    std::vector<SegmentNumber> homeless = std::exchange(freed_, {});
+    if (homeless.empty())
+        return homeless;
+    std::sort(homeless.begin(), homeless.end());
+    homeless.erase(std::unique(homeless.begin(), homeless.end()), homeless.end());
+    std::vector<char> clustered(segments_.size(), 0);
+    for (const GrowingCluster& cluster : clusters.all()) {
+        for (const GrowingCluster::Member& member : cluster.members)
+            clustered[static_cast<std::size_t>(member.segment)] = 1;
+    }
+    std::erase_if(homeless, [&](SegmentNumber number) {
+        return segment(number).owner != kNoPlane || clustered[static_cast<std::size_t>(number)] != 0;
+    });
+    return homeless;
 }
 
 }  // namespace planewright

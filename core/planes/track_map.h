@@ -163,8 +163,19 @@ public:
     /// disappear. A plane may be named more than once. Returns those that are left, in order of id.
     std::vector<PlaneTrack*> collectMembers(std::span<const PlaneId> changed, int step);
 
+    /// Takes a segment away from its plane; the plane's members are the caller's to set.
+    void free(SegmentNumber number)
+    {
+        segment(number).owner = kNoPlane;
+        freed_.push_back(number);
+    }
+
     /// Removes a plane and frees its segments.
     void dissolve(PlaneId id);
+
+    /// Takes the segments that belong to a plane out of the clusters, and gives those, in order, that were freed since
+    /// this was asked last, belong to no other plane by now, and are in no cluster.
+    std::vector<SegmentNumber> settleClusters();
 
     void touch(PlaneTrack& plane, int step);
     /// Tells that a plane's estimate or its members changed.
@@ -205,6 +216,7 @@ private:
     double bearingStep_ = 0.0;
     double firstBearing_ = 0.0;
     double tiltTravelled_ = 0.0;
+    std::vector<SegmentNumber> freed_;
     std::vector<const SegmentStatistics*> group_;
     SegmentBatch together_;
 };

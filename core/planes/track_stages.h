@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/planes/track_map.h"
+#include "core/types/why_not.h"
 
 namespace planewright {
 
@@ -31,8 +32,18 @@ void seedPairs(TrackMap& map, const Parameters& parameters, StepRecorder& record
 /// Gives leftover segments of slices from `firstSlice` on another chance (Table I line 10).
 void joinRemaining(TrackMap& map, int firstSlice, const Parameters& parameters, StepRecorder& recorder);
 
+/// The ways in which a segment may come to a plane, as things are: it faces it, or the plane is known well.
+std::vector<Conditions> waysIntoTrack(SegmentNumber number, PlaneTrack& plane, TrackMap& map,
+                                      const Parameters& parameters);
+
+/// How a segment may move in the last pass from the plane that it belongs to to one that it faces.
+Conditions wayToMove(SegmentNumber number, PlaneTrack& plane, TrackMap& map, const Parameters& parameters);
+
 /// Merges planes that are one (section 4.4, Table VII lines 9 to 13).
 void mergeTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// The conditions on which two planes are merged, all of them, as they are.
+Conditions mergeConditions(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters);
 
 /// Lets segments go that do not fit their plane, to a neighbour's plane or to none (section 4.4, Table VII lines 1 to
 /// 8): what leaves may make planes of its own.

@@ -4,13 +4,9 @@
 // How much memory an extraction takes beside its recording, and how often it asks for some.
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <malloc.h>
 #include <memory>
-#include <new>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -20,68 +16,10 @@
 #include "core/params/presets.h"
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
+#include "tests/benchmarks/heap.h"
 #include "tests/benchmarks/scoring.h"
 
 using namespace planewright;
-
-namespace {
-
-/// What this program has asked of the heap.
-struct Heap {
-    std::int64_t held = 0;  ///< [bytes], as the allocator rounds them
-    std::int64_t most = 0;
-    std::int64_t requests = 0;
-};
-Heap heap;
-
-void* taken(void* block)
-{
-    if (block == nullptr)
-        throw std::bad_alloc{};
-    heap.held += static_cast<std::int64_t>(malloc_usable_size(block));
-    heap.most = std::max(heap.most, heap.held);
-    ++heap.requests;
-    return block;
-}
-
-void given(void* block) noexcept
-{
-    heap.held -= static_cast<std::int64_t>(malloc_usable_size(block));
-    std::free(block);
-}
-
-}  // namespace
-
-void* operator new(std::size_t size)
-{
-    return taken(std::malloc(size));
-}
-
-void* operator new(std::size_t size, std::align_val_t alignment)
-{
-    const auto step = static_cast<std::size_t>(alignment);
-    return taken(std::aligned_alloc(step, (size + step - 1) / step * step));
-}
-
-void operator delete(void* block) noexcept
-{
-    given(block);
-}
-
-void operator delete(void* block, std::size_t) noexcept
-{
-    given(block);
-}
-
-void operator delete(void* block, std::align_val_t) noexcept
-{
-    given(block);
-}
-
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept
-{
-    given(block);
-}
 
 namespace {
 

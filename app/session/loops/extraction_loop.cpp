@@ -20,6 +20,7 @@ ExtractionLoop::ExtractionLoop(ExtractionPlan plan, Channel<ExtractionItem>& in,
       corrector_(plan.description, plan.parameters.front().parameters.sensor),
       extractor_(sensorOf(corrector_.description()), plan.parameters.front().parameters,
                  {[&clock] { return clock.now(); }, plan.explain}),
+      inForce_(std::make_shared<const Parameters>(plan.parameters.front().parameters)),
       later_(plan.parameters.begin() + 1, plan.parameters.end())
 {
 }
@@ -36,7 +37,7 @@ try {
         return;
     takeCorrected(corrector_.finish());
     changeParametersUpTo(std::numeric_limits<int>::max());
-    out_.publish({nullptr, nullptr, extractor_.finish()});
+    out_.publish({nullptr, nullptr, extractor_.finish(), inForce_});
 } catch (const std::exception& exception) {
     in_.abandon();
     onFailed_({ErrorCode::Internal, "the extraction ended by an internal error (" + std::string{exception.what()} +
@@ -77,14 +78,16 @@ void ExtractionLoop::extract(const SharedSlice& measured, const SharedSlice& sli
     const auto began = clock_.now();
     std::shared_ptr<const Snapshot> snapshot = extractor_.step(*slice);
     stepTime_ = clock_.now() - began;
-    out_.publish({measured, slice, std::move(snapshot)});
+    out_.publish({measured, slice, std::move(snapshot), inForce_});
     ++steps_;
 }
 
 void ExtractionLoop::changeParametersUpTo(int step)
 {
-    for (; !later_.empty() && later_.front().step <= step; later_.pop_front())
-        extractor_.setParameters(later_.front().parameters);
+    for (; !later_.empty() && later_.front().step <= step; later_.pop_front()) {
+        inForce_ = std::make_shared<const Parameters>(later_.front().parameters);
+        extractor_.setParameters(*inForce_);
+    }
 }
 
 void ExtractionLoop::abandon()

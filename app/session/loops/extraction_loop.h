@@ -6,6 +6,7 @@
 #include <atomic>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -62,6 +63,7 @@ private:
     bool correctsNothing_;
     SliceCorrector corrector_;
     PlaneExtractor extractor_;
+    std::shared_ptr<const Parameters> inForce_;
     std::deque<ParametersFrom> later_;  ///< parameters that are not in force yet
     std::deque<SharedSlice> measured_;  ///< slices that the corrector has and has not given back
     std::atomic<bool> abandoned_{false};

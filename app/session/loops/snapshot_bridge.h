@@ -19,6 +19,7 @@ struct ExtractedStep {
     SharedSlice measured;  ///< null for the forced last pass
     SharedSlice slice;     ///< the same with `sensor.*` corrected
     std::shared_ptr<const Snapshot> snapshot;
+    std::shared_ptr<const Parameters> parameters = nullptr;  ///< in force; another object where they were set anew
 };
 
 /// From the extractor to the window, which is slower: it hears once that there is news and takes what has come by then.
