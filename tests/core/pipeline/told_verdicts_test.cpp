@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "tests/core/pipeline/told_step.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -197,5 +198,5 @@ void ToldVerdictsTest::nothingHappensToPlanesUntold()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::ToldVerdictsTest)
+PLANEWRIGHT_TEST(planewright::ToldVerdictsTest)
 #include "told_verdicts_test.moc"

@@ -10,6 +10,7 @@
 #include "tests/core/pipeline/same_snapshot.h"
 #include "tests/core/pipeline/simulated_room.h"
 #include "tests/core/planes/recorded_decisions.h"
+#include "tests/test_program.h"
 
 namespace planewright {
 namespace {
@@ -363,5 +364,5 @@ void WhyNotTest::whatIsNotThereIsRefused()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::WhyNotTest)
+PLANEWRIGHT_TEST(planewright::WhyNotTest)
 #include "why_not_test.moc"

@@ -8,6 +8,8 @@
 
 #include <QtTest>
 
+#include "tests/test_program.h"
+
 namespace planewright {
 
 class StepRecorderTest : public QObject {
@@ -71,5 +73,5 @@ void StepRecorderTest::passesOfOnePhaseAddUpTheirTimes()
 
 }  // namespace planewright
 
-QTEST_GUILESS_MAIN(planewright::StepRecorderTest)
+PLANEWRIGHT_TEST(planewright::StepRecorderTest)
 #include "step_recorder_test.moc"
