@@ -32,7 +32,8 @@ using TestGuiApplication = QGuiApplication;
 template <class Test, class Application>
 int runTest(int argc, char** argv)
 {
-    const Application application(argc, argv);
+    Application application(argc, argv);
+    application.setAttribute(Qt::AA_Use96Dpi, true);  // pictures and sizes are the same on every screen
     Test test;
     return QTest::qExec(&test, argc, argv);
 }

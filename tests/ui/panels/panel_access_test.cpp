@@ -116,7 +116,7 @@ void PanelAccessTest::initTestCase()
         panel->resize(width, 400);
         panel->show();
     }
-    QTest::qWait(50);
+    QTest::qWait(500);  // layouts settle, also on a busy machine
 }
 
 void PanelAccessTest::addPanels()
