@@ -13,6 +13,7 @@
 #include "app/sources/found_devices.h"
 #include "core/simulation/scenes.h"
 #include "devices/emulated/emulated_rig.h"
+#include "tests/devices/holds.h"
 #include "tests/devices/transport/far_end.h"
 #include "tests/devices/transport/usb_rig.h"
 #include "tests/test_program.h"
@@ -67,11 +68,6 @@ std::string serialOf(const Result<std::unique_ptr<Laser>>& laser)
     return laser ? (*laser)->identity().serial : laser.error().message;
 }
 
-bool contains(const std::string& text, const char* part)
-{
-    return text.find(part) != std::string::npos;
-}
-
 UsbModel adapterWithoutANumber()
 {
     constexpr std::size_t kSerialNumber = 16;  // place in the device descriptor
@@ -97,9 +93,9 @@ void DeviceOpenerTest::lasersAreToldApartByTheirNumber()
 
     QVERIFY(!any);
     QCOMPARE(any.error().code, ErrorCode::NoDevice);
-    QVERIFY2(contains(any.error().message, "2 lasers are connected by USB"), any.error().message.c_str());
+    QVERIFY2(holds(any.error().message, "2 lasers are connected by USB"), any.error().message.c_str());
     QVERIFY(!other);
-    QVERIFY2(contains(other.error().message, "00903971, 00905555"), other.error().message.c_str());
+    QVERIFY2(holds(other.error().message, "00903971, 00905555"), other.error().message.c_str());
     const FoundDevices found = findDevices(opener, true, {}, {});
     QCOMPARE(found.devices.at(0).address, std::string("usb:00903971"));
     QCOMPARE(found.devices.at(1).address, std::string("usb:00905555"));
@@ -124,7 +120,7 @@ void DeviceOpenerTest::aLaserIsFoundAgainWhereverItIsPluggedIn()
     QCOMPARE(serialOf(opener.openLaser(addressOf("usb:00905555"), {})), std::string("00905555"));
 
     QVERIFY(!gone);
-    QVERIFY2(contains(gone.error().message, "there are: 00903971"), gone.error().message.c_str());
+    QVERIFY2(holds(gone.error().message, "there are: 00903971"), gone.error().message.c_str());
     // From now on it is looked for where it was, and the other one is left alone.
     const std::vector<int> before = other.device->released();
     QCOMPARE(serialOf(opener.openLaser(addressOf("usb:00905555"), {})), std::string("00905555"));
@@ -144,7 +140,7 @@ void DeviceOpenerTest::aLaserIsNamedByItsPortAsWell()
     const auto none = opener.openLaser(addressOf("usb:@1-3"), {});
 
     QVERIFY(!none);
-    QVERIFY2(contains(none.error().message, "no laser is plugged in at usb 1-3"), none.error().message.c_str());
+    QVERIFY2(holds(none.error().message, "no laser is plugged in at usb 1-3"), none.error().message.c_str());
 }
 
 void DeviceOpenerTest::adaptersWithoutANumberAreNamedByTheirPort()
@@ -159,9 +155,9 @@ void DeviceOpenerTest::adaptersWithoutANumberAreNamedByTheirPort()
     const auto silent = opener.openTiltUnit(addressOf("dynamixel:usb:@1-2"), {});
 
     QVERIFY(!any);
-    QVERIFY2(contains(any.error().message, "@1-1, @1-2"), any.error().message.c_str());
+    QVERIFY2(holds(any.error().message, "@1-1, @1-2"), any.error().message.c_str());
     QVERIFY(!none);
-    QVERIFY2(contains(none.error().message, "no servo adapter at usb 1-3"), none.error().message.c_str());
+    QVERIFY2(holds(none.error().message, "no servo adapter at usb 1-3"), none.error().message.c_str());
     QVERIFY(!silent);  // there is no servo behind it, but it was the one that was opened
     QCOMPARE(right->released(), std::vector<int>{0});
     QVERIFY(left->released().empty());
@@ -204,7 +200,7 @@ void DeviceOpenerTest::aSerialPortThatMayNotBeOpenedHasACure()
 
     QVERIFY(hindranceOf(path));
     QVERIFY(hindranceOf(path)->cure.starts_with("sudo usermod -aG "));
-    QVERIFY(contains(hindranceOf(path)->problem, hindranceOf(path)->cure.c_str()));
+    QVERIFY(holds(hindranceOf(path)->problem, hindranceOf(path)->cure.c_str()));
     QVERIFY(hindranceOf(address, opener));
     QVERIFY(!hindranceOf(folder.filePath("ttyUSB1").toStdString()));
 }

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/devices/board/board_rig.h"
+#include "tests/devices/holds.h"
 #include "tests/test_program.h"
 
 namespace planewright {
@@ -44,11 +45,6 @@ EmulatedBoardSetup with(const char* kind, int step)
     EmulatedBoardSetup setup = levelBoard();
     setup.faults = {{kind, step}};
     return setup;
-}
-
-bool contains(const std::string& text, const char* part)
-{
-    return text.find(part) != std::string::npos;
 }
 
 /// Connects, arms, and begins a long way.
@@ -159,7 +155,7 @@ void BoardTiltFaultsTest::lostEventsAreReportedAndMotionsEndNevertheless()
     const LinkHealth health = rig.tilt.health();
     QVERIFY(health.lost > 10);
     QCOMPARE(health.corrupt, std::uint64_t(0));
-    QVERIFY(contains(health.trouble, "lost"));
+    QVERIFY(holds(health.trouble, "lost"));
 }
 
 void BoardTiltFaultsTest::lostSlicesAreMissingByTheirNumbers()
@@ -210,11 +206,11 @@ void BoardTiltFaultsTest::whenTheBoardIsSlowForLongItsAnglesHaveNoTime()
     QVERIFY(!samples);
     QVERIFY(rig.clock.now() - from < 75s);
     QCOMPARE(samples.error().code, ErrorCode::DeviceLost);
-    QVERIFY2(contains(samples.error().message, "answers too slowly: its answers take 80 ms"),
+    QVERIFY2(holds(samples.error().message, "answers too slowly: its answers take 80 ms"),
              samples.error().message.c_str());
-    QVERIFY(contains(samples.error().message, "must be known to 5 ms"));
-    QVERIFY(contains(samples.error().message, "connect it to the computer directly"));
-    QVERIFY(contains(rig.tilt.health().trouble, "slowly"));
+    QVERIFY(holds(samples.error().message, "must be known to 5 ms"));
+    QVERIFY(holds(samples.error().message, "connect it to the computer directly"));
+    QVERIFY(holds(rig.tilt.health().trouble, "slowly"));
     const auto again = rig.clock.now();
     QCOMPARE(rig.watch(10s).error().code, ErrorCode::DeviceLost);
     QVERIFY(rig.clock.now() - again >= 1s && rig.clock.now() - again < 1100ms);
@@ -229,8 +225,8 @@ void BoardTiltFaultsTest::aBoardThatStartsAnewIsGreetedAndWaitsToBeArmed()
 
     QVERIFY(!samples);
     QCOMPARE(samples.error().code, ErrorCode::NeedsOperator);
-    QVERIFY(contains(samples.error().message, "started anew"));
-    QVERIFY(contains(samples.error().message, "watchdog"));
+    QVERIFY(holds(samples.error().message, "started anew"));
+    QVERIFY(holds(samples.error().message, "watchdog"));
     QVERIFY(std::chrono::abs(rig.clock.now() - 2s) < 100ms);
     QCOMPARE(rig.state(), State::Unarmed);
     // It tells angles again, and does not move.
@@ -241,7 +237,7 @@ void BoardTiltFaultsTest::aBoardThatStartsAnewIsGreetedAndWaitsToBeArmed()
     for (const TiltSample& sample : *after)
         QVERIFY(isTrue(rig, sample, 300us));
     QCOMPARE(rig.tilt.moveTo(degrees(100.0), degrees(20.0)).error().code, ErrorCode::NeedsOperator);
-    QVERIFY(contains(rig.tilt.health().trouble, "started anew"));
+    QVERIFY(holds(rig.tilt.health().trouble, "started anew"));
 
     QVERIFY(rig.tilt.arm({}));
     QVERIFY(rig.tilt.moveTo(degrees(100.0), degrees(20.0)));
@@ -272,7 +268,7 @@ void BoardTiltFaultsTest::aBoardThatMissesHeartbeatsSaysSo()
     const auto samples = rig.watch(3s);
 
     QVERIFY(!samples);
-    QVERIFY(contains(samples.error().message, "heartbeat"));
+    QVERIFY(holds(samples.error().message, "heartbeat"));
     QVERIFY(std::chrono::abs(rig.clock.now() - 2s) < 100ms);
     QCOMPARE(rig.state(), State::Stopped);
     const double rest = rig.pitch();
@@ -310,11 +306,11 @@ void BoardTiltFaultsTest::aMotorThatIsHeldByForceIsReported()
     const auto samples = rig.watch(3s);
 
     QVERIFY(!samples);
-    QVERIFY(contains(samples.error().message, "something holds it"));
+    QVERIFY(holds(samples.error().message, "something holds it"));
     QVERIFY(rig.clock.now() > 2250ms && rig.clock.now() < 2400ms);
     QCOMPARE(rig.state(), State::Fault);
     QVERIFY(rig.watch(1100ms));
-    QVERIFY(contains(rig.tilt.motor().trouble, "something holds it"));
+    QVERIFY(holds(rig.tilt.motor().trouble, "something holds it"));
     QCOMPARE(rig.tilt.arm({}).error().code, ErrorCode::NeedsOperator);
     QCOMPARE(rig.state(), State::Fault);
     QVERIFY(rig.tilt.recover({}));
@@ -336,7 +332,7 @@ void BoardTiltFaultsTest::anAngleThatIsNotTheCommandedOneIsFound()
 
     QVERIFY(!samples);
     QCOMPARE(samples.error().code, ErrorCode::NeedsOperator);
-    QVERIFY(contains(samples.error().message, "11.73°"));  // 40 counts
+    QVERIFY(holds(samples.error().message, "11.73°"));  // 40 counts
     QVERIFY(!rig.tilt.moveTo(degrees(110.0), degrees(60.0)));
 }
 
@@ -348,7 +344,7 @@ void BoardTiltFaultsTest::anUnpluggedBoardIsLost()
     const auto samples = rig.watch(3s);
 
     QCOMPARE(samples.error().code, ErrorCode::DeviceLost);
-    QVERIFY(contains(samples.error().message, "plug"));
+    QVERIFY(holds(samples.error().message, "plug"));
     QCOMPARE(rig.tilt.hold().error().code, ErrorCode::DeviceLost);
     QCOMPARE(rig.tilt.moveTo(degrees(100.0), degrees(20.0)).error().code, ErrorCode::DeviceLost);
     QCOMPARE(rig.tilt.connect({}).error().code, ErrorCode::DeviceLost);
@@ -369,7 +365,7 @@ void BoardTiltFaultsTest::passingALimitIsReported()
     const auto samples = rig.watch(2s);
 
     QVERIFY(!samples);
-    QVERIFY(contains(samples.error().message, "limit"));
+    QVERIFY(holds(samples.error().message, "limit"));
     QCOMPARE(rig.state(), State::Stopped);
 }
 
@@ -384,13 +380,13 @@ void BoardTiltFaultsTest::aMissingSyncWireIsReported()
     QVERIFY(rig.tilt.trigger(1));
     QCOMPARE(rig.tilt.trigger(2).error().code, ErrorCode::Usage);
     QVERIFY(rig.watch(1100ms));
-    QVERIFY(contains(rig.tilt.health().trouble, "sync"));
+    QVERIFY(holds(rig.tilt.health().trouble, "sync"));
     QCOMPARE(rig.state(), State::Armed);
     QVERIFY(rig.tilt.sweep({degrees(80.0), degrees(120.0), degrees(1.16), 30, degrees(100.0), false, 0}));
     const auto samples = rig.watch(3s);
 
     QVERIFY(!samples);
-    QVERIFY(contains(samples.error().message, "sync"));
+    QVERIFY(holds(samples.error().message, "sync"));
     QVERIFY(rig.tilt.takeSliceEvents().empty());
 }
 

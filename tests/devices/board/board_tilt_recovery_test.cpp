@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "tests/devices/board/board_rig.h"
+#include "tests/devices/holds.h"
 #include "tests/test_program.h"
 
 namespace planewright {
@@ -30,11 +31,6 @@ private slots:
 };
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 /// Board faults begin at a turn of 25 ms; the motor is on its way then.
 struct Moving : BoardRig {
@@ -82,8 +78,8 @@ void BoardTiltRecoveryTest::whatHasStoppedStaysSoUntilItIsRecovered()
 
     QVERIFY(!samples);
     QCOMPARE(samples.error().code, ErrorCode::NeedsOperator);
-    QVERIFY2(contains(samples.error().message, says.toStdString()), samples.error().message.c_str());
-    QVERIFY2(contains(samples.error().message, "recover it"), samples.error().message.c_str());
+    QVERIFY2(holds(samples.error().message, says.toStdString()), samples.error().message.c_str());
+    QVERIFY2(holds(samples.error().message, "recover it"), samples.error().message.c_str());
     QCOMPARE(static_cast<int>(rig.state()), state);
     // Long after the cause is gone nothing releases it by itself: not arm(), not connect().
     QVERIFY(rig.watch(10s));
@@ -116,7 +112,7 @@ void BoardTiltRecoveryTest::aButtonThatIsPressedIsNotOverruled()
 
         QVERIFY(!recovered);
         QCOMPARE(recovered.error().code, ErrorCode::NeedsOperator);
-        QVERIFY2(contains(recovered.error().message, "recover it again"), recovered.error().message.c_str());
+        QVERIFY2(holds(recovered.error().message, "recover it again"), recovered.error().message.c_str());
         QCOMPARE(rig.tilt.arm({}).error().code, ErrorCode::NeedsOperator);
         QVERIFY(rig.watch(4s));
         QVERIFY(rig.tilt.recover({}));
@@ -211,7 +207,7 @@ void BoardTiltRecoveryTest::aBoardThatSendsNoAnglesIsLost()
 
     QVERIFY(!samples);
     QCOMPARE(samples.error().code, ErrorCode::DeviceLost);
-    QVERIFY2(contains(samples.error().message, "sends no angles"), samples.error().message.c_str());
+    QVERIFY2(holds(samples.error().message, "sends no angles"), samples.error().message.c_str());
     QVERIFY(rig.clock.now() - from <= 1100ms);
     QCOMPARE(rig.tilt.health().faults.at("board-no-angles"), std::uint64_t(1));
 }
@@ -251,7 +247,7 @@ void BoardTiltRecoveryTest::everyFaultIsLogged()
     log = stopped.tilt.takeLog();
     QCOMPARE(log.size(), std::size_t(1));
     QCOMPARE(log[0].code, std::string{"board-overload"});
-    QVERIFY(contains(log[0].text, "overloaded"));
+    QVERIFY(holds(log[0].text, "overloaded"));
 }
 
 }  // namespace planewright

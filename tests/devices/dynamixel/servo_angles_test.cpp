@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/types/angle.h"
+#include "tests/devices/dynamixel/rx64.h"
 #include "tests/test_program.h"
 
 namespace planewright {
@@ -26,11 +27,6 @@ private slots:
 };
 
 namespace {
-
-const DynamixelModel& rx64()
-{
-    return *findDynamixelModel(DynamixelProtocol::One, 64);
-}
 
 ServoAngles angles(const TiltMounting& mounting, int lowest = 0, int highest = 1023)
 {

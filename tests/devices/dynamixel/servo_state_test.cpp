@@ -11,6 +11,7 @@
 #include "core/types/angle.h"
 #include "devices/dynamixel/servo_checks.h"
 #include "tests/devices/dynamixel/hex_bytes.h"
+#include "tests/devices/dynamixel/rx64.h"
 #include "tests/test_program.h"
 
 namespace planewright {
@@ -39,11 +40,6 @@ const DynamixelModel& model(DynamixelProtocol protocol, std::uint16_t number)
     const DynamixelModel* found = findDynamixelModel(protocol, number);
     Q_ASSERT(found != nullptr);
     return *found;
-}
-
-const DynamixelModel& modelRx64()
-{
-    return model(DynamixelProtocol::One, 64);
 }
 
 const DynamixelModel& xm430()
@@ -88,7 +84,7 @@ void ServoStateTest::modelsAreFoundByProtocolAndNumber()
     QVERIFY(findDynamixelModel(DynamixelProtocol::Two, 64) == nullptr);
     QVERIFY(findDynamixelModel(DynamixelProtocol::One, 4711) == nullptr);
     QVERIFY(knownDynamixelModels().find("RX-64") != std::string::npos);
-    QVERIFY(std::abs(modelRx64().countAngle - degrees(0.293255)) < degrees(1e-6));
+    QVERIFY(std::abs(rx64().countAngle - degrees(0.293255)) < degrees(1e-6));
     QVERIFY(std::abs(xm430().countAngle - degrees(0.087890625)) < 1e-15);
 }
 
@@ -149,7 +145,7 @@ void ServoStateTest::theStateOfTheManualIsDecoded()
     RegisterImage image;
     image.store(36, hexBytes("00 02 00 00 40 00 94 26 00 00 00"));
 
-    const ServoState state = decodeState(modelRx64(), image, true);
+    const ServoState state = decodeState(rx64(), image, true);
 
     QCOMPARE(state.position, 512);
     QCOMPARE(state.speed, 0.0);
@@ -164,7 +160,7 @@ void ServoStateTest::bitTenIsADirection()
     RegisterImage image;
     image.store(36, hexBytes("00 02 64 04 FF 07 94 26 00 00 01"));
 
-    const ServoState state = decodeState(modelRx64(), image, true);
+    const ServoState state = decodeState(rx64(), image, true);
 
     QVERIFY(std::abs(state.speed + 100.0 * 0.111 * 2.0 * std::numbers::pi / 60.0) < 1e-12);
     QCOMPARE(state.load, -1.0);
@@ -202,7 +198,7 @@ void ServoStateTest::turnsOfTwoAreLeftOutWithoutTorque()
 
 void ServoStateTest::settingsOfAnRx64AreDecoded()
 {
-    const ServoSettings settings = decodeSettings(modelRx64(), factoryImage(modelRx64()));
+    const ServoSettings settings = decodeSettings(rx64(), factoryImage(rx64()));
 
     QCOMPARE(settings.firmware, 24);
     QCOMPARE(settings.lowestGoal, 0);
@@ -221,10 +217,10 @@ void ServoStateTest::settingsOfAnRx64AreDecoded()
 
 void ServoStateTest::aTorqueLimitOfZeroIsAShutdown()
 {
-    RegisterImage image = factoryImage(modelRx64());
-    QVERIFY(!decodeDrive(modelRx64(), image).isShutDown);
+    RegisterImage image = factoryImage(rx64());
+    QVERIFY(!decodeDrive(rx64(), image).isShutDown);
     image.store(34, hexBytes("00 00"));
-    QVERIFY(decodeDrive(modelRx64(), image).isShutDown);
+    QVERIFY(decodeDrive(rx64(), image).isShutDown);
 
     RegisterImage two = factoryImage(xm430());
     QVERIFY(!decodeDrive(xm430(), two).isShutDown);

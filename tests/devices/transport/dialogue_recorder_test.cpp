@@ -18,6 +18,7 @@
 #include "devices/transport/replayed_dialogue.h"
 #include "tests/devices/echo_device.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/devices/holds.h"
 #include "tests/devices/transport/test_socket.h"
 #include "tests/test_program.h"
 
@@ -86,11 +87,6 @@ private:
     rlimit before_{};
     void (*handler_)(int);
 };
-
-bool holds(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

@@ -15,6 +15,7 @@
 
 #include "devices/transport/serial_settings.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/devices/holds.h"
 #include "tests/devices/transport/test_pty.h"
 #include "tests/devices/transport/test_socket.h"
 #include "tests/test_program.h"
@@ -49,11 +50,6 @@ namespace {
 Result<std::unique_ptr<Transport>> openLine(const TestPty& pty, const Clock& clock = steadyClock())
 {
     return openSerialLine(pty.path, 115200, clock);
-}
-
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -217,7 +213,7 @@ void SerialLineTest::aPortThatTakesNothingEndsTheLink()
 
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::DeviceLost);
-    QVERIFY2(contains(written.error().message, "did not take"), written.error().message.c_str());
+    QVERIFY2(holds(written.error().message, "did not take"), written.error().message.c_str());
 }
 
 void SerialLineTest::closingWakesTheReader()
@@ -267,9 +263,9 @@ void SerialLineTest::noPermissionIsExplainedWithTheCommand()
     // Root may open anything, so that this is told of the text and not of a file.
     const std::string text = serialTroubleText(EACCES, "/dev/ttyNOWHERE7");
 
-    QVERIFY2(contains(text, "sudo usermod -aG dialout \"$USER\""), text.c_str());
-    QVERIFY2(contains(text, "/etc/udev/rules.d/"), text.c_str());
-    QVERIFY2(contains(serialTroubleText(EBUSY, "/dev/ttyNOWHERE7"), "another program"), text.c_str());
+    QVERIFY2(holds(text, "sudo usermod -aG dialout \"$USER\""), text.c_str());
+    QVERIFY2(holds(text, "/etc/udev/rules.d/"), text.c_str());
+    QVERIFY2(holds(serialTroubleText(EBUSY, "/dev/ttyNOWHERE7"), "another program"), text.c_str());
 }
 
 }  // namespace planewright

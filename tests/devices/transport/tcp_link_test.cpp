@@ -13,6 +13,7 @@
 #include <QtTest>
 
 #include "tests/devices/fake_clock.h"
+#include "tests/devices/holds.h"
 #include "tests/devices/transport/test_socket.h"
 #include "tests/test_program.h"
 
@@ -92,11 +93,6 @@ struct DeafListener {
     }
 };
 
-bool hasPart(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
 /// A packet filter lets nothing in: the far side acknowledges nothing any more and breaks nothing off, as a laser that
 /// has lost its power, or a cable that was pulled.
 bool hearsNothingAnyMore(const Descriptor& socket)
@@ -162,7 +158,7 @@ void TcpLinkTest::aRefusalIsExplained()
     QCOMPARE(link.error().code, ErrorCode::NoDevice);
     QVERIFY2(link.error().message.starts_with("127.0.0.1:" + std::to_string(bound.port()) + ": refused"),
              link.error().message.c_str());
-    QVERIFY(hasPart(link.error().message, "one client at a time"));
+    QVERIFY(holds(link.error().message, "one client at a time"));
 }
 
 void TcpLinkTest::aNameThatIsNoneIsExplained()
@@ -174,7 +170,7 @@ void TcpLinkTest::aNameThatIsNoneIsExplained()
 
     QVERIFY(!link);
     QCOMPARE(link.error().code, ErrorCode::NoDevice);
-    QVERIFY2(hasPart(link.error().message, "there is no host of this name"), link.error().message.c_str());
+    QVERIFY2(holds(link.error().message, "there is no host of this name"), link.error().message.c_str());
 }
 
 void TcpLinkTest::aHostThatDoesNotAnswerIsGivenUp()
@@ -186,7 +182,7 @@ void TcpLinkTest::aHostThatDoesNotAnswerIsGivenUp()
 
     QVERIFY(!link);
     QCOMPARE(link.error().code, ErrorCode::NoDevice);
-    QVERIFY2(hasPart(link.error().message, "does not answer"), link.error().message.c_str());
+    QVERIFY2(holds(link.error().message, "does not answer"), link.error().message.c_str());
     QVERIFY(steadyClock().now() - began >= 100ms);
 }
 
@@ -215,8 +211,8 @@ void TcpLinkTest::aHostThatClosesAtOnceServesAnother()
 
     const std::string text = readText(**link, 1);
 
-    QVERIFY2(hasPart(text, "closed the connection before it said anything"), text.c_str());
-    QVERIFY2(hasPart(text, "one client at a time"), text.c_str());
+    QVERIFY2(holds(text, "closed the connection before it said anything"), text.c_str());
+    QVERIFY2(holds(text, "one client at a time"), text.c_str());
 }
 
 void TcpLinkTest::whatCameBeforeTheEndIsReadFirst()
@@ -232,7 +228,7 @@ void TcpLinkTest::whatCameBeforeTheEndIsReadFirst()
     const std::string text = readText(**link, 100);
 
     QVERIFY2(text.starts_with("half a fra<127.0.0.1:"), text.c_str());
-    QVERIFY2(hasPart(text, "closed the connection; check its power"), text.c_str());
+    QVERIFY2(holds(text, "closed the connection; check its power"), text.c_str());
     const auto written = (*link)->write(asBytes("QT\n"), steadyClock().now() + kPatience);
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::DeviceLost);
@@ -253,7 +249,7 @@ void TcpLinkTest::aConnectionThatIsBrokenOffIsLost()
     peer.reset();
 
     const std::string text = readText(**link, 1);
-    QVERIFY2(hasPart(text, "broke off the connection"), text.c_str());
+    QVERIFY2(holds(text, "broke off the connection"), text.c_str());
 }
 
 void TcpLinkTest::aSilentHostIsNotLost()
@@ -312,7 +308,7 @@ void TcpLinkTest::aHostThatIsGoneWithoutAWordIsLost()
 
     const std::string text = readText(**link, 1);
 
-    QVERIFY2(hasPart(text, "connect it again"), text.c_str());
+    QVERIFY2(holds(text, "connect it again"), text.c_str());
     QVERIFY(steadyClock().now() - since >= kSilenceLimit - 1s);
     QVERIFY(steadyClock().now() - since <= 10 * kSilenceLimit);
 }
@@ -347,7 +343,7 @@ void TcpLinkTest::aHostThatTakesNothingEndsTheLink()
 
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::DeviceLost);
-    QVERIFY2(hasPart(written.error().message, "did not take"), written.error().message.c_str());
+    QVERIFY2(holds(written.error().message, "did not take"), written.error().message.c_str());
     QCOMPARE(readText(**link, 1), "<" + written.error().message + ">");
 }
 
