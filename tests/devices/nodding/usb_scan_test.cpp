@@ -8,6 +8,8 @@
 #include "devices/dynamixel/dynamixel_tilt.h"
 #include "devices/emulated/emulated_rig.h"
 #include "devices/nodding/nodding_source.h"
+#include "devices/nodding/slice_maker.h"
+#include "devices/scip/scip_clock.h"
 #include "devices/scip/scip_laser.h"
 #include "devices/transport/usb_cdc.h"
 #include "devices/transport/usb_ftdi.h"
@@ -107,6 +109,10 @@ Result<std::unique_ptr<Base>> connected(std::unique_ptr<Driver> driver, const st
 }
 
 constexpr double kHalfCount = degrees(0.15);  // of an RX-64
+/// By which the moments of a laser and of a servo may be wrong to each other, where both answered as slowly as they
+/// may.
+constexpr std::chrono::duration<double> kWorstTiming = ScipClock::kSlowestAnswer / 2 + kLargestSkew;
+constexpr std::chrono::milliseconds kTurn{25};  // of the emulated laser
 /// Three times the noise of the emulated laser, 8 mm and 1 mm a metre.
 constexpr double slackAt(double range)
 {
@@ -149,7 +155,10 @@ void UsbScanTest::aScanComesThroughUsb()
                                    std::make_unique<DynamixelTilt>(std::move(*link), steadyClock(), options), stop);
                            }};
     ScanPlan plan;
-    if (!qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG")) {
+    const bool isSweep = qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG");
+    if (!isSweep) {
+        // A head that stands still asks nothing of the time that a busy machine takes.
+        plan.mode = ScanPlan::Mode::StepAndStare;
         plan.firstPitch = degrees(75.0);
         plan.slices = 25;
         // Under sanitizers the emulated laser takes longer to see all beams than they take.
@@ -184,10 +193,11 @@ void UsbScanTest::aScanComesThroughUsb()
         settings.firstBearing = (*slice)->firstBearing;
         settings.beams = static_cast<int>((*slice)->ranges.size());
         settings.continuous = true;
-        settings.tiltStep = (*slice)->tiltEnd.value() - (*slice)->tilt;
-        // The angle is known to half a count, which is much where a beam grazes the floor.
+        settings.tiltStep = isSweep ? (*slice)->tiltEnd.value() - (*slice)->tilt : 0.0;
+        // So well is the angle known, which is much where a beam grazes the floor.
+        const double slack = kHalfCount + (isSweep ? plan.pitchStep * (kWorstTiming / kTurn) : 0.0);
         std::vector<ScanSlice> simulated;
-        for (const double off : {-kHalfCount, 0.0, kHalfCount}) {
+        for (const double off : {-slack, 0.0, slack}) {
             settings.firstTilt = (*slice)->tilt + off;
             simulated.push_back(simulateSlice(setup.scene, settings, {}, 1, 0).slice);
         }
@@ -204,9 +214,9 @@ void UsbScanTest::aScanComesThroughUsb()
     const std::string health = factsOf((*source)->deviceHealth()).front().value;
     qInfo("%zu of %d slices; laser %s", slices.size(), plan.slices, health.c_str());
     // A busy machine may be late for some of a sweep; what comes is right, or marked.
-    QVERIFY(sure >= plan.slices * 2 / 3);
+    QVERIFY(sure >= (isSweep ? plan.slices * 2 / 3 : plan.slices));
     QCOMPARE(like, sure);
-    if (plan.slices < ScanPlan().slices)
+    if (!isSweep)
         return;  // whole_scan_test has the planes of a whole scan each time, without the cables
     AcquisitionSettings settings;
     settings.firstTilt = plan.firstPitch;
