@@ -7,9 +7,11 @@
 
 #include "app/cli/console.h"
 #include "app/cli/program.h"
+#include "app/process/kept_heap.h"
 
 int main(int argc, char** argv)
 try {
+    planewright::keepFreedMemory();
     return static_cast<int>(planewright::runProgram(argc, argv));
 } catch (const std::bad_alloc&) {
     planewright::printError("out of memory; close other programs or use a smaller recording");

@@ -11,6 +11,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "app/process/kept_heap.h"
 #include "core/params/presets.h"
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
@@ -167,6 +168,7 @@ void add(const Case& what)
 
 int main(int argc, char** argv)
 {
+    keepFreedMemory();  // as the programs do
     for (const char* preset : {"paper", "precise"}) {
         for (const char* scene : {"corridor", "office", "hall"}) {
             add({preset, scene, "table8"});

@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/process/kept_heap.h"
 #include "tests/benchmarks/paper/sections.h"
 
 using namespace planewright;
@@ -33,6 +34,7 @@ std::string processorName()
 
 int main(int argc, char** argv)
 {
+    keepFreedMemory();                  // as the programs do; opponents have it, too
     setenv("OMP_NUM_THREADS", "1", 1);  // opponents get one thread as the product does
     std::string folder = "paper-report";
     bool quick = false;
