@@ -61,21 +61,21 @@ std::vector<SharedSlice> ScanHistory::measured() const
 
 std::shared_ptr<const SessionMap> ScanHistory::newest() const
 {
-    return mapOf(steps_.size());
+    return after(steps_.size());
 }
 
 std::shared_ptr<const SessionMap> ScanHistory::at(int step) const
 {
-    const auto after = std::upper_bound(slices_.begin(), slices_.end(), step,
-                                        [](int limit, const SharedSlice& slice) { return limit < slice->step; });
-    if (after == slices_.end())
+    const auto next = std::upper_bound(slices_.begin(), slices_.end(), step,
+                                       [](int limit, const SharedSlice& slice) { return limit < slice->step; });
+    if (next == slices_.end())
         return newest();
-    return mapOf(static_cast<std::size_t>(std::distance(slices_.begin(), after)));
+    return after(static_cast<std::size_t>(std::distance(slices_.begin(), next)));
 }
 
-/// The scan after so many steps.
-std::shared_ptr<const SessionMap> ScanHistory::mapOf(std::size_t steps) const
+std::shared_ptr<const SessionMap> ScanHistory::after(std::size_t count) const
 {
+    const std::size_t steps = std::min(count, steps_.size());
     auto map = std::make_shared<SessionMap>();
     const std::size_t slices = std::min(steps, slices_.size());
     map->slices.assign(slices_.begin(), slices_.begin() + static_cast<std::ptrdiff_t>(slices));

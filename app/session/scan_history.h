@@ -35,6 +35,8 @@ public:
     /// is over on, both are the same.
     std::shared_ptr<const SessionMap> newest() const;
     std::shared_ptr<const SessionMap> at(int step) const;
+    /// The scan as it was after the first `count` of steps(), no more than there are.
+    std::shared_ptr<const SessionMap> after(std::size_t count) const;
 
     /// Tells how a step went, or the forced last pass (kLastPass), made or not: by the slices and the parameters that
     /// it was extracted with. Usage error where there is no such step.
@@ -47,7 +49,6 @@ public:
     const PlaneLives& lives() const { return lives_; }
 
 private:
-    std::shared_ptr<const SessionMap> mapOf(std::size_t steps) const;
     void addToReplay(const ExtractedStep& step);
 
     ScanDescription description_;

@@ -3,6 +3,8 @@
 
 #include "app/session/scan_session.h"
 
+#include <algorithm>
+
 #include <QThread>
 
 #include "app/session/session_parts.h"
@@ -178,11 +180,20 @@ Result<void> ScanSession::goToStep(int step)
     return {};
 }
 
+Result<void> ScanSession::goToPlace(int place)
+{
+    if (Result<void> allowed = parts_->request(SessionRequest::GoToStep); !allowed)
+        return allowed;
+    parts_->shownStep = static_cast<std::size_t>(std::max(place, 0));
+    parts_->showMap();
+    return {};
+}
+
 Result<void> ScanSession::goToNewest()
 {
     if (Result<void> allowed = parts_->request(SessionRequest::GoToStep); !allowed)
         return allowed;
-    parts_->shownStep.reset();
+    parts_->shownStep = {};
     parts_->showMap();
     return {};
 }

@@ -70,6 +70,8 @@ public:
     /// Shows the scan as it was after a step (or after the last one before it), while it may go on; goToNewest()
     /// follows it again.
     Result<void> goToStep(int step);
+    /// The same by its place in history(): the scan before its forced last pass, too.
+    Result<void> goToPlace(int place);
     Result<void> goToNewest();
     /// Stops motion, ends everything and forgets the scan. Never refused.
     void close();

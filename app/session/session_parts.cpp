@@ -158,7 +158,7 @@ void SessionParts::startScan()
     });
     measuredDescription = pipeline->measuredDescription();
     history = ScanHistory{next->work().correctedDescription(), opened.source->plannedSlices().value_or(0)};
-    shownStep.reset();
+    shownStep = {};
     showMap();
     begin(std::move(next));
 }
@@ -249,13 +249,18 @@ void SessionParts::onFrame()
     takeSteps();
     if (!rerunHistory_ && run->work().status().recording.bytes > 0)
         openRecorded();
-    if (!rerunHistory_ && !shownStep)
+    if (!rerunHistory_ && std::holds_alternative<std::monostate>(shownStep))
         showMap();
 }
 
 void SessionParts::showMap()
 {
-    map = shownStep ? history.at(*shownStep) : history.newest();
+    if (const int* step = std::get_if<int>(&shownStep))
+        map = history.at(*step);
+    else if (const std::size_t* place = std::get_if<std::size_t>(&shownStep))
+        map = history.after(*place + 1);
+    else
+        map = history.newest();
     emit session.mapChanged(map);
 }
 
@@ -322,7 +327,7 @@ void SessionParts::forget()
     address.clear();
     recordedPath_.clear();
     history = {};
-    shownStep.reset();
+    shownStep = {};
     showMap();
     emit session.historyChanged(0);
     emit session.projectChanged();

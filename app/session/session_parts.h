@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <QTimer>
@@ -46,7 +47,8 @@ struct SessionParts {
     std::vector<ParametersFrom> parameters;  ///< of the next scan or replay; the last are those in force
     ScanDescription measuredDescription;     ///< of the slices as they were measured
     ScanHistory history;
-    std::optional<int> shownStep;  ///< somebody has gone back to it
+    /// What somebody has gone back to: a step, or a place in the history.
+    std::variant<std::monostate, int, std::size_t> shownStep;
     std::shared_ptr<const SessionMap> map;
 
     std::unique_ptr<SessionRun> run;   ///< while slices are taken or worked in

@@ -6,6 +6,7 @@
 #include "app/window/clip_control.h"
 #include "app/window/device_control.h"
 #include "app/window/file_control.h"
+#include "app/window/history_control.h"
 #include "app/window/kept_view.h"
 #include "app/window/measure_control.h"
 #include "app/window/plane_edits.h"
@@ -21,6 +22,7 @@ struct WindowControllers {
         : view(parts, follower),
           clip(parts),
           scan(parts),
+          history(parts),
           devices(parts, scan),
           edits(parts),
           measure(parts),
@@ -34,6 +36,7 @@ struct WindowControllers {
     ViewControl view;
     ClipControl clip;
     ScanControl scan;
+    HistoryControl history;
     DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;

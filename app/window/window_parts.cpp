@@ -115,7 +115,13 @@ void WindowParts::showDevices()
 
 void WindowParts::showMap()
 {
-    worker.show({session.map(), edits.inForce(), session.description(), session.parameters()});
+    std::shared_ptr<const SessionMap> map = session.map();
+    if (shownPhase) {
+        auto phase = std::make_shared<SessionMap>(*map);
+        phase->snapshot = shownPhase;
+        map = std::move(phase);
+    }
+    worker.show({std::move(map), edits.inForce(), session.description(), session.parameters()});
 }
 
 void WindowParts::log(LogSeverity severity, const QString& source, const QString& text)

@@ -23,6 +23,7 @@
 #include "ui/models/measurements_model.h"
 #include "ui/models/parameter_model.h"
 #include "ui/models/planes_model.h"
+#include "ui/models/playhead.h"
 #include "ui/models/segments_model.h"
 #include "ui/panels/clip_box_panel.h"
 #include "ui/panels/layers_panel.h"
@@ -63,6 +64,7 @@ public:
     LayerSettings layers;
 
     MapSelection selection;
+    Playhead playhead;
     PlanesModel planes;
     SegmentsModel segments;
     MeasurementsModel measurements;
@@ -75,6 +77,9 @@ public:
     BackgroundWork background;
     /// What the window shows; never null.
     std::shared_ptr<const ShownMap> shown = std::make_shared<ShownMap>();
+
+    /// The scan after a phase of the step that is looked at; null for the whole step.
+    std::shared_ptr<const Snapshot> shownPhase;
 
     /// What went wrong since something was opened last.
     std::optional<Error> fault;

@@ -309,6 +309,11 @@ void ScanSessionTest::everyStepCanBeGoneBackTo()
     QVERIFY(!session.map()->isNewest);
     QCOMPARE(session.mapAt(-5)->snapshot, nullptr);
     QVERIFY(session.mapAt(39)->finished);
+    QVERIFY(session.goToPlace(39));
+    QCOMPARE(session.map()->snapshot->report.step, 39);
+    QVERIFY(!session.map()->finished);
+    QVERIFY(session.goToPlace(40));
+    QVERIFY(session.map()->finished);
     QVERIFY(session.goToNewest());
     QVERIFY(session.map()->isNewest);
 }
