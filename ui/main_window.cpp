@@ -3,6 +3,9 @@
 
 #include "ui/main_window.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -24,6 +27,10 @@ constexpr QSize kMinimumSize{1024, 700};
 constexpr int kSetupWidth = 300;
 constexpr int kPlanesWidth = 420;
 constexpr int kBottomHeight = 220;
+/// The tabs at the bottom from the left, whoever comes first; others follow.
+constexpr QLatin1String kBottomOrder[]{QLatin1String("chartsPanel"), QLatin1String("slicePanel"),
+                                       QLatin1String("segmentsPanel"), QLatin1String("measurePanel"),
+                                       QLatin1String("logPanel")};
 
 /// The one file that was dropped, where it is a file of this machine.
 QString droppedFile(const QMimeData& data)
@@ -99,7 +106,13 @@ void MainWindow::setPanel(const QString& dock, QWidget* panel)
 
 void MainWindow::addBottomPanel(QWidget* panel, const QString& title)
 {
-    bottom_->addTab(panel, title);
+    const auto rank = [](const QString& name) {
+        return std::find(std::begin(kBottomOrder), std::end(kBottomOrder), name) - std::begin(kBottomOrder);
+    };
+    int place = 0;
+    while (place < bottom_->count() && rank(bottom_->widget(place)->objectName()) <= rank(panel->objectName()))
+        ++place;
+    bottom_->insertTab(place, panel, title);
 }
 
 void MainWindow::showBottomPanel(const QString& name)

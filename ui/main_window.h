@@ -34,7 +34,7 @@ public:
 
     /// Puts panels where they belong: "dockSetup", "dockPlanes".
     void setPanel(const QString& dock, QWidget* panel);
-    /// A tab of the dock at the bottom, by its objectName.
+    /// A tab of the dock at the bottom, by its objectName; tabs that are known stand in their order.
     void addBottomPanel(QWidget* panel, const QString& title);
     void showBottomPanel(const QString& name);
 

@@ -109,6 +109,8 @@ constexpr std::array kRows{
     Row{"&Tools", "actCommandPalette", "&Command palette…", "Ctrl+Shift+P", "Find and run any command"},
 
     Row{"&Window", "panels", "&Panels", "", "", kSubmenu},
+    Row{"&Window", "actShowCharts", "&Charts", "", "Numbers of every step as charts"},
+    Row{"&Window", "actShowSlice", "&Slice 2D", "", "The slice of this step and what became of its points"},
     Row{"&Window", "actLayoutOperate", "&Operate layout", "Ctrl+Alt+1", "Setup, 3D view and planes"},
     Row{"&Window", "actLayoutPresent", "&Present layout", "Ctrl+Alt+3", "The 3D view alone"},
     Row{"&Window", "actResetLayout", "&Reset layout", "", "Put every panel back where it was"},

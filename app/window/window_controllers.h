@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "app/window/charts_control.h"
 #include "app/window/clip_control.h"
 #include "app/window/device_control.h"
 #include "app/window/file_control.h"
@@ -12,6 +13,7 @@
 #include "app/window/plane_edits.h"
 #include "app/window/program_control.h"
 #include "app/window/scan_control.h"
+#include "app/window/slice_control.h"
 #include "app/window/view_control.h"
 
 namespace planewright {
@@ -23,6 +25,8 @@ struct WindowControllers {
           clip(parts),
           scan(parts),
           history(parts),
+          charts(parts),
+          slice(parts),
           devices(parts, scan),
           edits(parts),
           measure(parts),
@@ -37,6 +41,8 @@ struct WindowControllers {
     ClipControl clip;
     ScanControl scan;
     HistoryControl history;
+    ChartsControl charts;
+    SliceControl slice;
     DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;

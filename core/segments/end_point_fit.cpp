@@ -66,6 +66,17 @@ void settleBorder(const SlicePoints& points, PointRun& left, PointRun& right, co
         ++right.first;
 }
 
+/// How far the point of a division is from the chord.
+TracedSplit divisionAt(const SlicePoints& points, int division, const PointRun& piece,
+                       const SegmentParameters& parameters)
+{
+    const Eigen::Vector2d chord = (points[piece.last] - points[piece.first]).normalized();
+    const Eigen::Vector2d normal{-chord.y(), chord.x()};
+    return {division,
+            {"chord_distance", std::abs(normal.dot(points[division] - points[piece.first])), Comparison::Greater,
+             splitDistance(points, division, normal, parameters)}};
+}
+
 }  // namespace
 
 double splitDistance(const SlicePoints& points, int beam, const Eigen::Vector2d& normal,
@@ -95,7 +106,7 @@ int farthestFromChord(const SlicePoints& points, const PointRun& among, const Po
 }
 
 void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const SegmentParameters& parameters,
-                        std::vector<PointRun>& pieces)
+                        std::vector<PointRun>& pieces, SliceTrace* trace, std::vector<TracedPiece>* dropped)
 {
     const std::size_t begin = pieces.size();
     struct Open {
@@ -114,6 +125,12 @@ void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const Se
         }
         if (depth >= kDeepestDivision)
             division = (piece.first + piece.last) / 2;
+        if (trace != nullptr)
+            trace->splits.push_back(depth < kDeepestDivision
+                                        ? divisionAt(points, division, piece, parameters)
+                                        : TracedSplit{division,
+                                                      {"divisions", static_cast<double>(depth),
+                                                       Comparison::GreaterEqual, kDeepestDivision}});
         open.push_back({{division, piece.last}, depth + 1});
         open.push_back({{piece.first, division}, depth + 1});
     }
@@ -124,6 +141,11 @@ void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const Se
         ++pieces[i].first;
     if (pieces.size() > begin + 1) {
         const auto tooShort = [](const PointRun& piece) { return piece.points() < kShortestPiece; };
+        for (std::size_t i = begin; i < pieces.size() && dropped != nullptr; ++i) {
+            if (tooShort(pieces[i]))
+                dropped->push_back(tooFew(pieces[i].first, pieces[i].last, pieces[i].points(),
+                                          {"points_of_line", 0.0, Comparison::GreaterEqual, kShortestPiece}));
+        }
         pieces.erase(std::remove_if(pieces.begin() + static_cast<std::ptrdiff_t>(begin), pieces.end(), tooShort),
                      pieces.end());
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/segments/slice_points.h"
+#include "core/segments/slice_trace.h"
 
 namespace planewright {
 
@@ -25,8 +26,10 @@ int farthestFromChord(const SlicePoints& points, const PointRun& among, const Po
 /// A run is divided at the point farthest from the chord between its ends until none is farther than h_o. A point of
 /// division, and the few next to it, then go to that one of the two pieces whose line is nearer, since a point of the
 /// other wall as an end point would tilt the segment. Pieces come in bearing order, are appended and do not overlap.
-/// A run that needs no split stays whole; otherwise pieces of fewer than four points are left out.
+/// A run that needs no split stays whole; otherwise pieces of fewer than four points are left out. A trace, where
+/// there is one, is told of the divisions, and `dropped` gets the pieces left out.
 void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const SegmentParameters& parameters,
-                        std::vector<PointRun>& pieces);
+                        std::vector<PointRun>& pieces, SliceTrace* trace = nullptr,
+                        std::vector<TracedPiece>* dropped = nullptr);
 
 }  // namespace planewright

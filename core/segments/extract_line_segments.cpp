@@ -14,11 +14,36 @@ namespace planewright {
 
 namespace {
 
+/// Echoes that a run must have.
+constexpr int kFewestOfRun = 2;
+
 /// Eq. (5), turned round: long enough and of enough points.
-bool isAvailable(const SlicePoints& points, const PointRun& piece, const SegmentParameters& parameters)
+struct Availability {
+    Test points;
+    Test length;
+
+    bool pass() const { return points.pass() && length.pass(); }
+};
+Availability availabilityOf(const SlicePoints& points, const PointRun& piece, const SegmentParameters& parameters)
 {
-    return points.echoesIn(piece) >= parameters.minPoints &&
-           (points[piece.first] - points[piece.last]).norm() >= parameters.minLength;
+    return {
+        {"points", static_cast<double>(points.echoesIn(piece)), Comparison::GreaterEqual,
+         static_cast<double>(parameters.minPoints)},
+        {"length", (points[piece.first] - points[piece.last]).norm(), Comparison::GreaterEqual, parameters.minLength}};
+}
+
+TracedPiece traced(const PointRun& piece, const Availability& available, int segment)
+{
+    TracedPiece told;
+    told.firstBeam = piece.first;
+    told.lastBeam = piece.last;
+    told.points = static_cast<int>(available.points.value);
+    told.tests = {available.points, available.length};
+    if (available.pass())
+        told.segment = segment;
+    else
+        told.fate = available.points.pass() ? PieceFate::TooShort : PieceFate::TooFewPoints;
+    return told;
 }
 
 /// Moments in space of the points of a piece, all taken at the tilt of its middle.
@@ -87,23 +112,69 @@ LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const Scan
 
 }  // namespace
 
-Segments LineSegmentExtractor::extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters)
+std::vector<int> LineSegmentExtractor::echoBeams() const
 {
+    std::vector<int> echoes;
+    for (int beam = 0; beam < points_.beams(); ++beam) {
+        if (points_.hasEcho(beam))
+            echoes.push_back(beam);
+    }
+    return echoes;
+}
+
+/// Echoes in no run of runs_ are alone between two breakpoints.
+void LineSegmentExtractor::traceRuns(const ScanSlice& slice, const Parameters& parameters, SliceTrace& trace,
+                                     std::vector<TracedPiece>& dropped) const
+{
+    auto run = runs_.begin();
+    int before = -1;
+    for (const int beam : echoBeams()) {
+        while (run != runs_.end() && run->last < beam)
+            ++run;
+        const bool isInRun = run != runs_.end() && run->first <= beam;
+        if (isInRun && run->first < beam) {
+            before = beam;
+            continue;
+        }
+        if (before >= 0)
+            trace.breaks.push_back(
+                {before, beam, (points_[beam] - points_[before]).norm(),
+                 breakpointDistance(points_.range(before), slice.bearingStep, parameters.segments, parameters.noise),
+                 beam - before > 1});
+        trace.runs.push_back({beam, isInRun ? run->last : beam, isInRun ? run->points() : 1});
+        if (!isInRun)
+            dropped.push_back(tooFew(beam, beam, 1, {"points_of_run", 0.0, Comparison::GreaterEqual, kFewestOfRun}));
+        before = beam;
+    }
+}
+
+Segments LineSegmentExtractor::extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
+                                       SliceTrace* trace)
+{
+    std::vector<TracedPiece> dropped;
+
     points_.take(slice, sensor, parameters.noise);
     splitAtBreakpoints(points_, slice.bearingStep, parameters.segments, runs_);
+    if (trace != nullptr)
+        traceRuns(slice, parameters, *trace, dropped);
     pieces_.clear();
     for (const PointRun& run : runs_)
-        splitByEndPointFit(points_, run, parameters.segments, pieces_);
-    mergePieces(points_, slice.bearingStep, parameters.segments, pieces_);
+        splitByEndPointFit(points_, run, parameters.segments, pieces_, trace, trace != nullptr ? &dropped : nullptr);
+    mergePieces(points_, slice.bearingStep, parameters.segments, pieces_, trace);
 
     const double perRange = gapPerRange(slice.bearingStep, parameters.segments);
     Segments segments;
     for (const PointRun& piece : pieces_) {
-        if (!isAvailable(points_, piece, parameters.segments))
+        const Availability available = availabilityOf(points_, piece, parameters.segments);
+        if (trace != nullptr)
+            trace->pieces.push_back(traced(piece, available, static_cast<int>(segments.size())));
+        if (!available.pass())
             continue;
         segments.push_back(inSpace(points_, piece, slice, perRange, sensor, parameters));
         segments.back().id = {slice.step, static_cast<int>(segments.size()) - 1};
     }
+    if (trace != nullptr)
+        addLeftovers(dropped, echoBeams(), *trace);
     return segments;
 }
 

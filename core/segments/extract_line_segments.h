@@ -8,6 +8,7 @@
 #include "core/geometry/sensor_model.h"
 #include "core/params/parameters.h"
 #include "core/segments/slice_points.h"
+#include "core/segments/slice_trace.h"
 #include "core/types/line_segment.h"
 #include "core/types/scan_slice.h"
 
@@ -18,13 +19,19 @@ class LineSegmentExtractor {
 public:
     /// The line segments of a slice in bearing order (Table II), as segments in space (section 4.1.3).
     ///
-    /// Each scan point is touched here and never again: what later steps need of it is in the segment's moments.
-    Segments extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters);
+    /// Each scan point is touched here and never again: what later steps need of it is in the segment's moments. A
+    /// trace, which must be empty, is told what was done.
+    Segments extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
+                     SliceTrace* trace = nullptr);
 
     /// Echoes of the slice that was extracted last.
     int echoes() const { return points_.echoes(); }
 
 private:
+    void traceRuns(const ScanSlice& slice, const Parameters& parameters, SliceTrace& trace,
+                   std::vector<TracedPiece>& dropped) const;
+    std::vector<int> echoBeams() const;
+
     SlicePoints points_;
     std::vector<PointRun> runs_;
     std::vector<PointRun> pieces_;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/segments/breakpoints.h"
 #include "core/segments/seen_line.h"
 #include "core/types/angle.h"
 
@@ -193,14 +195,50 @@ void StatisticsExtractor::describe(const LinePiece& piece, const NoiseParameters
     segment.endsFree = marked(piece.last + 1) && farther(piece.last, piece.last + 1);
 }
 
+void StatisticsExtractor::traceRuns(const ScanSlice& slice, const Parameters& parameters, SliceTrace& trace) const
+{
+    for (int first = 0; first < points_.count();) {
+        const int next = points_.nextBreak(first + 1);
+        if (first > 0) {
+            const int beams = points_.beam(first) - points_.beam(first - 1);
+            const int counted = beams > kBridgedBeams ? 1 : beams;
+            trace.breaks.push_back(
+                {points_.beam(first - 1), points_.beam(first),
+                 std::hypot(points_.u(first) - points_.u(first - 1), points_.v(first) - points_.v(first - 1)),
+                 breakpointDistance(points_.range(first - 1), slice.bearingStep * counted, parameters.segments,
+                                    parameters.noise),
+                 beams > kBridgedBeams});
+        }
+        trace.runs.push_back({points_.beam(first), points_.beam(next - 1), next - first});
+        first = next;
+    }
+}
+
+void StatisticsExtractor::tracePiece(const LinePiece& piece, int segment, SliceTrace& trace) const
+{
+    const Test test{"points", piece.moments.count, Comparison::GreaterEqual, static_cast<double>(shortest_)};
+    TracedPiece traced;
+    traced.firstBeam = points_.beam(piece.first);
+    traced.lastBeam = points_.beam(piece.last);
+    traced.points = static_cast<int>(piece.moments.count);
+    traced.fate = test.pass() ? PieceFate::Segment : PieceFate::TooFewPoints;
+    traced.segment = test.pass() ? segment : -1;
+    traced.tests.push_back(test);
+    trace.pieces.push_back(std::move(traced));
+}
+
 void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
-                                  std::vector<SegmentStatistics>& segments)
+                                  std::vector<SegmentStatistics>& segments, SliceTrace* trace)
 {
     points_.take(slice, sensor, parameters);
+    std::vector<TracedPiece> dropped;
+    if (trace != nullptr)
+        traceRuns(slice, parameters, *trace);
     // Narrow faces must be seen by coarse scanners too: what counts as short follows the resolution.
     const int told = std::max(kFewestPoints, parameters.segments.minPoints);
     shortest_ = std::clamp(static_cast<int>(std::lround(told * kToldStep / slice.bearingStep)), kFewestPoints, told);
-    const std::span<LinePiece> pieces = straight_.divide(points_, shortest_, parameters);
+    const std::span<LinePiece> pieces =
+        straight_.divide(points_, shortest_, parameters, trace, trace != nullptr ? &dropped : nullptr);
 
     std::size_t kept = 0;
     for (LinePiece& piece : pieces) {
@@ -208,6 +246,8 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
         clip(piece, parameters.noise);
         LinePiece together;
         if (kept > 0 && belongTogether(pieces[kept - 1], piece, parameters, slice.bearingStep, together)) {
+            if (trace != nullptr)
+                trace->joins.push_back({points_.beam(pieces[kept - 1].last), points_.beam(piece.first)});
             pieces[kept - 1] = together;
             continue;
         }
@@ -215,9 +255,18 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
             pieces[kept] = piece;
         ++kept;
     }
+    const std::size_t before = segments.size();
     for (std::size_t i = 0; i < kept; ++i) {
+        if (trace != nullptr)
+            tracePiece(pieces[i], static_cast<int>(segments.size() - before), *trace);
         if (pieces[i].moments.count >= static_cast<double>(shortest_))
             describe(pieces[i], parameters.noise, segments.emplace_back());
+    }
+    if (trace != nullptr) {
+        std::vector<int> echoes;
+        for (int i = 0; i < points_.count(); ++i)
+            echoes.push_back(points_.beam(i));
+        addLeftovers(dropped, echoes, *trace);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "core/params/parameters.h"
 #include "core/segments/beam_points.h"
 #include "core/segments/segment_statistics.h"
+#include "core/segments/slice_trace.h"
 #include "core/segments/straight_pieces.h"
 #include "core/types/scan_slice.h"
 
@@ -25,14 +26,16 @@ public:
     ///
     /// Breakpoints by Eq. (3), lifted where 1/ρ is linear in the bearing, as it is on any straight wall however
     /// shallow; end-point fit with a threshold in standard deviations; borders between pieces settled by their lines;
-    /// pieces merged where one line explains both.
+    /// pieces merged where one line explains both. A trace, which must be empty, is told what was done.
     void extract(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
-                 std::vector<SegmentStatistics>& segments);
+                 std::vector<SegmentStatistics>& segments, SliceTrace* trace = nullptr);
 
     /// Echoes of the slice that was extracted last.
     int echoes() const { return points_.count(); }
 
 private:
+    void traceRuns(const ScanSlice& slice, const Parameters& parameters, SliceTrace& trace) const;
+    void tracePiece(const LinePiece& piece, int segment, SliceTrace& trace) const;
     void trimEnds(LinePiece& piece, const NoiseParameters& noise) const;
     void clip(LinePiece& piece, const NoiseParameters& noise) const;
     bool belongTogether(const LinePiece& left, const LinePiece& right, const Parameters& parameters, double bearingStep,

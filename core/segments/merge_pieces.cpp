@@ -74,14 +74,17 @@ bool belongTogether(const SlicePoints& points, const PointRun& left, const Point
 }  // namespace
 
 void mergePieces(const SlicePoints& points, double bearingStep, const SegmentParameters& parameters,
-                 std::vector<PointRun>& pieces)
+                 std::vector<PointRun>& pieces, SliceTrace* trace)
 {
     std::size_t kept = 0;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-        if (belongTogether(points, pieces[kept], pieces[i], bearingStep, parameters))
-            pieces[kept].last = pieces[i].last;
-        else
+        if (!belongTogether(points, pieces[kept], pieces[i], bearingStep, parameters)) {
             pieces[++kept] = pieces[i];
+            continue;
+        }
+        if (trace != nullptr)
+            trace->joins.push_back({pieces[kept].last, pieces[i].first});
+        pieces[kept].last = pieces[i].last;
     }
     if (!pieces.empty())
         pieces.resize(kept + 1);

@@ -23,15 +23,20 @@ constexpr double kDoubtful = 4.0;
 
 }  // namespace
 
-std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shortest, const Parameters& parameters)
+std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shortest, const Parameters& parameters,
+                                            SliceTrace* trace, std::vector<TracedPiece>* dropped)
 {
     points_ = &points;
     shortest_ = shortest;
+    trace_ = trace;
+    dropped_ = dropped;
     pieces_.clear();
     for (int first = 0; first < points.count();) {
         const int next = points.nextBreak(first + 1);
         if (next - first >= shortest)
             splitRun(first, next - 1, parameters);
+        else
+            tellDropped(first, next - 1);
         first = next;
     }
     for (LinePiece& piece : pieces_)
@@ -82,6 +87,7 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
         const int start = shared ? from + 1 : from;
         const int count = to - start + 1;
         if (count < shortest_) {
+            tellDropped(start, to);
             open_.pop_back();
             continue;
         }
@@ -97,14 +103,17 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
         open_.pop_back();
         if (depth >= kDeepestDivision) {
             const int middle = (from + to) / 2;
+            tellSplit(chord, middle, depth, parameters);
             open(middle, to, depth + 1);
             open(from, middle, depth + 1);
             continue;
         }
         open(division, to, depth + 1);
         open(from, division, depth + 1);
-        if (count < 2 * shortest_ || !isDoubtful(chord, division, parameters))
+        if (count < 2 * shortest_ || !isDoubtful(chord, division, parameters)) {
+            tellSplit(chord, division, depth, parameters);
             continue;
+        }
         Open& right = open_[open_.size() - 2];
         Open& left = open_.back();
         left.moments = points_->momentsOf(start, division, chord);
@@ -120,10 +129,56 @@ void StraightPieces::splitRun(int first, int last, const Parameters& parameters)
         if (isOneLine(whole.count, axesOf(whole).smaller, apart, variance)) {
             open_.resize(open_.size() - 2);
             addPiece(start, to).moments = whole;
+        } else {
+            tellSplit(chord, division, depth, parameters);
         }
     }
     for (std::size_t i = begin + 1; i < pieces_.size(); ++i)
         settleBorder(pieces_[i - 1], pieces_[i], parameters.noise);
+}
+
+/// Deviation and limit as the search for the farthest point has them, in floats.
+void StraightPieces::tellSplit(const ChordF& chord, int division, int depth, const Parameters& parameters) const
+{
+    if (trace_ == nullptr)
+        return;
+    const int beam = points_->beam(division);
+    if (depth >= kDeepestDivision) {
+        trace_->splits.push_back(
+            {beam, {"divisions", static_cast<double>(depth), Comparison::GreaterEqual, kDeepestDivision}});
+        return;
+    }
+    const BeamArrays points = points_->arrays();
+    const float normalU = -chord.directionV;
+    const float normalV = chord.directionU;
+    const float along = normalU * points.u[division] + normalV * points.v[division];
+    const float across = normalV * points.u[division] - normalU * points.v[division];
+    const float deviation = along - (normalU * chord.u + normalV * chord.v);
+    const float variance = along * along * points.relativeVariance[division] +
+                           across * across * static_cast<float>(square(parameters.noise.bearing));
+    const float limit = std::max(static_cast<float>(square(parameters.segments.splitDistance)),
+                                 static_cast<float>(square(parameters.segments.splitSigmas)) * variance);
+    trace_->splits.push_back({beam,
+                              {"chord_distance", static_cast<double>(std::abs(deviation)), Comparison::Greater,
+                               std::sqrt(static_cast<double>(limit))}});
+}
+
+void StraightPieces::tellBend(const LinePiece& piece, int division) const
+{
+    if (trace_ == nullptr)
+        return;
+    const double apart =
+        lineOf(fewPoints(piece.first, division - 1)).across + lineOf(fewPoints(division, piece.last)).across;
+    trace_->splits.push_back(
+        {points_->beam(division),
+         {"two_lines_gain", (piece.line.across - apart) / piece.variance, Comparison::Greater, kDivisionGain}});
+}
+
+void StraightPieces::tellDropped(int first, int last) const
+{
+    if (dropped_ != nullptr)
+        dropped_->push_back(tooFew(points_->beam(first), points_->beam(last), last - first + 1,
+                                   {"points", 0.0, Comparison::GreaterEqual, static_cast<double>(shortest_)}));
 }
 
 void StraightPieces::open(int first, int last, int depth)
@@ -278,6 +333,7 @@ void StraightPieces::divideBent(const LinePiece& piece, int division, int depth,
         straight_.push_back(piece);
         return;
     }
+    tellBend(piece, division);
     LinePiece left = pieceOf(piece.first, division - 1);
     LinePiece right = pieceOf(division, piece.last);
     settleBorder(left, right, noise);

@@ -9,6 +9,7 @@
 #include "core/params/parameters.h"
 #include "core/segments/beam_points.h"
 #include "core/segments/line_piece.h"
+#include "core/segments/slice_trace.h"
 
 namespace planewright {
 
@@ -19,8 +20,10 @@ public:
     ///
     /// Runs between breakpoints are divided where a point is too far from its chord, in standard deviations
     /// (iterative end-point fit), and then where two lines explain a piece much better than one. Borders between
-    /// pieces are settled by their lines. The pieces are fitted.
-    std::span<LinePiece> divide(const BeamPoints& points, int shortest, const Parameters& parameters);
+    /// pieces are settled by their lines. The pieces are fitted. A trace, where there is one, is told of the
+    /// divisions, and `dropped` gets what has too few points.
+    std::span<LinePiece> divide(const BeamPoints& points, int shortest, const Parameters& parameters,
+                                SliceTrace* trace = nullptr, std::vector<TracedPiece>* dropped = nullptr);
 
 private:
     /// An interval that may have to be divided.
@@ -38,6 +41,9 @@ private:
     LinePiece& addPiece(int first, int last);
     LinePiece pieceOf(int first, int last) const;
     LineMoments fewPoints(int first, int last) const;
+    void tellSplit(const ChordF& chord, int division, int depth, const Parameters& parameters) const;
+    void tellBend(const LinePiece& piece, int division) const;
+    void tellDropped(int first, int last) const;
     void settleBorder(LinePiece& left, LinePiece& right, const NoiseParameters& noise) const;
     int bestDivision(const LinePiece& piece) const;
     int bendOf(const LinePiece& piece, int depth) const;
@@ -45,6 +51,8 @@ private:
 
     const BeamPoints* points_ = nullptr;
     int shortest_ = 0;
+    SliceTrace* trace_ = nullptr;
+    std::vector<TracedPiece>* dropped_ = nullptr;
     std::vector<Open> open_;
     std::vector<LinePiece> pieces_;
     std::vector<LinePiece> straight_;

@@ -12,10 +12,10 @@
 #include <benchmark/benchmark.h>
 
 #include "app/process/kept_heap.h"
+#include "core/evaluation/curve_fit.h"
 #include "core/params/presets.h"
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
-#include "tests/benchmarks/power_fit.h"
 #include "tests/benchmarks/scoring.h"
 
 using namespace planewright;

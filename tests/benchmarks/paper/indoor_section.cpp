@@ -6,10 +6,10 @@
 #include <map>
 
 #include "core/clusters/direction_clusters.h"
+#include "core/evaluation/curve_fit.h"
 #include "core/evaluation/data_access_ratio.h"
 #include "tests/benchmarks/paper/product_run.h"
 #include "tests/benchmarks/paper/sections.h"
-#include "tests/benchmarks/power_fit.h"
 
 namespace planewright {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "tests/benchmarks/power_fit.h"
+#include "core/evaluation/curve_fit.h"
 
 #include <cmath>
 #include <cstddef>

@@ -13,6 +13,7 @@ struct LineFit {
     double intercept = 0.0;
     double explained = 0.0;  ///< R²: share of the variance of y that it explains
 };
+/// A level line through their mean where x or y is the same everywhere; all zero without points.
 LineFit lineThrough(const std::vector<double>& x, const std::vector<double>& y);
 
 /// y = factor · x^exponent, by a straight line through the logarithms.
