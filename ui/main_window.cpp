@@ -163,7 +163,8 @@ void MainWindow::makeToolBar()
     auto* exports = static_cast<QToolButton*>(bar->widgetForAction((*actions_)[QStringLiteral("actExportPlanes")]));
     exports->setObjectName(QStringLiteral("exportButton"));
     exports->setPopupMode(QToolButton::MenuButtonPopup);
-    for (const char* name : {"actExportPlanes", "actExportPoints", "actExportSegments", "actExportFloorPlan"})
+    for (const char* name :
+         {"actExportPlanes", "actExportPoints", "actExportSegments", "actExportFloorPlan", "actExportReport"})
         exports->addAction((*actions_)[QLatin1String(name)]);
     // Stopping must be found at once.
     bar->widgetForAction((*actions_)[QStringLiteral("actStopMotion")])

@@ -35,6 +35,7 @@ constexpr std::array kRows{
     Row{"&File", "actExportPoints", "Export poin&ts…", "", "Points with the plane they are of, as PLY or PCD"},
     Row{"&File", "actExportSegments", "Export se&gments…", "", "Line segments as CSV or PLY"},
     Row{"&File", "actExportFloorPlan", "Export &floor plan…", "", "Walls from above as DXF"},
+    Row{"&File", "actExportReport", "Export &report…", "", "A page about the scan as HTML"},
     Row{"&File", "", "", "", "", kSeparator},
     Row{"&File", "actScreenshot", "Scr&eenshot", "Ctrl+P", "Write the 3D view to a picture"},
     Row{"&File", "actScreenshotOptions", "Screenshot o&ptions…", "Ctrl+Shift+E", "Write a picture of any size"},

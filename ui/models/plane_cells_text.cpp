@@ -7,7 +7,7 @@
 
 #include "core/geometry/plane_angles.h"
 #include "core/types/angle.h"
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/models/number_text.h"
 
 namespace planewright {

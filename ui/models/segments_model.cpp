@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/common/same_scan.h"
 #include "ui/models/number_text.h"
 
