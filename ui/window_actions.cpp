@@ -106,12 +106,17 @@ constexpr std::array kRows{
         kCheckable},
     Row{"&Tools", "actMeasureAngle", "Measure &angle", "A", "Angle and distance between two planes", kCheckable},
     Row{"&Tools", "", "", "", "", kSeparator},
+    Row{"&Tools", "actCompare", "&Compare…", "Ctrl+Shift+C", "Extract the scan once more with other parameters"},
+    Row{"&Tools", "actMovingAverages", "&Moving averages", "",
+        "An example: a curved wall, clustered by different averages"},
+    Row{"&Tools", "", "", "", "", kSeparator},
     Row{"&Tools", "actValidate", "&Validate file…", "", "Find every problem of a recording"},
     Row{"&Tools", "actCommandPalette", "&Command palette…", "Ctrl+Shift+P", "Find and run any command"},
 
     Row{"&Window", "panels", "&Panels", "", "", kSubmenu},
     Row{"&Window", "actLayoutOperate", "&Operate layout", "Ctrl+Alt+1", "Setup, 3D view and planes"},
     Row{"&Window", "actLayoutPresent", "&Present layout", "Ctrl+Alt+3", "The 3D view alone"},
+    Row{"&Window", "actLayoutCompare", "&Compare layout", "Ctrl+Alt+4", "Two views and the table of differences"},
     Row{"&Window", "actResetLayout", "&Reset layout", "", "Put every panel back where it was"},
 
     Row{"&Help", "actTour", "&Quick tour", "", "What is where, in four steps"},

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/window/clip_control.h"
+#include "app/window/compare_control.h"
 #include "app/window/device_control.h"
 #include "app/window/file_control.h"
 #include "app/window/history_control.h"
@@ -23,6 +24,7 @@ struct WindowControllers {
           clip(parts),
           scan(parts),
           history(parts),
+          compare(parts, scan, follower),
           devices(parts, scan),
           edits(parts),
           measure(parts),
@@ -37,6 +39,7 @@ struct WindowControllers {
     ClipControl clip;
     ScanControl scan;
     HistoryControl history;
+    CompareControl compare;
     DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;
