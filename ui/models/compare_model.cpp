@@ -46,8 +46,6 @@ constexpr std::array<CompareHeading, kCompareColumns> kCompareHeadings{{
      QT_TRANSLATE_NOOP("planewright::CompareModel", "Fitting error of the plane of B")},
 }};
 
-constexpr double kMillimetres = 1000.0;
-
 const Plane* planeIn(const Snapshot& map, PlaneId id)
 {
     const auto found = std::lower_bound(map.planes.begin(), map.planes.end(), id,

@@ -14,7 +14,6 @@ namespace planewright {
 
 namespace {
 
-constexpr double kMillimetres = 1000.0;
 constexpr int kNormalDecimals = 4;
 
 const Outline* outlineOf(const ShownPlane& shown)
