@@ -44,6 +44,7 @@ QString droppedFile(const QMimeData& data)
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       view_(new View3d),
+      views_(new QSplitter),
       actions_(new WindowActions(this, view_)),
       banner_(new Banner),
       welcome_(new WelcomePage),
@@ -66,7 +67,10 @@ MainWindow::MainWindow(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(banner_);
     pages_->addWidget(welcome_);
-    pages_->addWidget(view_);
+    views_->setObjectName(QStringLiteral("views"));
+    views_->setChildrenCollapsible(false);
+    views_->addWidget(view_);
+    pages_->addWidget(views_);
     layout->addWidget(pages_, 1);
     setCentralWidget(centre);
 
@@ -127,7 +131,35 @@ void MainWindow::showBottomPanel(const QString& name)
 
 void MainWindow::showWelcome(bool shown)
 {
-    pages_->setCurrentWidget(shown ? static_cast<QWidget*>(welcome_) : view_);
+    pages_->setCurrentWidget(shown ? static_cast<QWidget*>(welcome_) : views_);
+}
+
+View3d& MainWindow::secondView()
+{
+    if (secondView_ == nullptr) {
+        secondView_ = new View3d;
+        secondView_->setObjectName(QStringLiteral("secondView"));
+        secondView_->setAccessibleName(tr("3D view of the second extraction"));
+        secondView_->hide();
+        views_->addWidget(secondView_);
+        views_->setStretchFactor(0, 1);
+        views_->setStretchFactor(1, 1);
+    }
+    return *secondView_;
+}
+
+void MainWindow::showSecondView(bool shown)
+{
+    if (!shown && secondView_ == nullptr)
+        return;
+    secondView().setVisible(shown);
+    if (shown)
+        views_->setSizes({views_->width() / 2, views_->width() / 2});
+}
+
+bool MainWindow::showsSecondView() const
+{
+    return secondView_ != nullptr && !secondView_->isHidden();
 }
 
 bool MainWindow::showsWelcome() const
@@ -176,7 +208,8 @@ void MainWindow::makeToolBar()
     auto* exports = static_cast<QToolButton*>(bar->widgetForAction((*actions_)[QStringLiteral("actExportPlanes")]));
     exports->setObjectName(QStringLiteral("exportButton"));
     exports->setPopupMode(QToolButton::MenuButtonPopup);
-    for (const char* name : {"actExportPlanes", "actExportPoints", "actExportSegments", "actExportFloorPlan"})
+    for (const char* name :
+         {"actExportPlanes", "actExportPoints", "actExportSegments", "actExportFloorPlan", "actExportReport"})
         exports->addAction((*actions_)[QLatin1String(name)]);
     // Stopping must be found at once.
     bar->widgetForAction((*actions_)[QStringLiteral("actStopMotion")])

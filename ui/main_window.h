@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QTabWidget>
 
@@ -28,6 +29,10 @@ public:
     explicit MainWindow(QWidget* parent = nullptr);
 
     View3d& view() { return *view_; }
+    /// Beside the first one while it is shown; made when it is asked for first, and then presents nothing yet.
+    View3d& secondView();
+    void showSecondView(bool shown);
+    bool showsSecondView() const;
     WindowActions& actions() { return *actions_; }
     Banner& banner() { return *banner_; }
     WelcomePage& welcome() { return *welcome_; }
@@ -73,6 +78,8 @@ private:
     void makeSubmenus();
 
     View3d* view_;
+    View3d* secondView_ = nullptr;
+    QSplitter* views_;
     WindowActions* actions_;
     Banner* banner_;
     WelcomePage* welcome_;

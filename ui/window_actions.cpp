@@ -35,6 +35,7 @@ constexpr std::array kRows{
     Row{"&File", "actExportPoints", "Export poin&ts…", "", "Points with the plane they are of, as PLY or PCD"},
     Row{"&File", "actExportSegments", "Export se&gments…", "", "Line segments as CSV or PLY"},
     Row{"&File", "actExportFloorPlan", "Export &floor plan…", "", "Walls from above as DXF"},
+    Row{"&File", "actExportReport", "Export &report…", "", "A page about the scan as HTML"},
     Row{"&File", "", "", "", "", kSeparator},
     Row{"&File", "actScreenshot", "Scr&eenshot", "Ctrl+P", "Write the 3D view to a picture"},
     Row{"&File", "actScreenshotOptions", "Screenshot o&ptions…", "Ctrl+Shift+E", "Write a picture of any size"},
@@ -105,6 +106,10 @@ constexpr std::array kRows{
         kCheckable},
     Row{"&Tools", "actMeasureAngle", "Measure &angle", "A", "Angle and distance between two planes", kCheckable},
     Row{"&Tools", "", "", "", "", kSeparator},
+    Row{"&Tools", "actCompare", "&Compare…", "Ctrl+Shift+C", "Extract the scan once more with other parameters"},
+    Row{"&Tools", "actMovingAverages", "&Moving averages", "",
+        "An example: a curved wall, clustered by different averages"},
+    Row{"&Tools", "", "", "", "", kSeparator},
     Row{"&Tools", "actValidate", "&Validate file…", "", "Find every problem of a recording"},
     Row{"&Tools", "actCommandPalette", "&Command palette…", "Ctrl+Shift+P", "Find and run any command"},
 
@@ -113,6 +118,7 @@ constexpr std::array kRows{
     Row{"&Window", "actShowSlice", "&Slice 2D", "", "The slice of this step and what became of its points"},
     Row{"&Window", "actLayoutOperate", "&Operate layout", "Ctrl+Alt+1", "Setup, 3D view and planes"},
     Row{"&Window", "actLayoutPresent", "&Present layout", "Ctrl+Alt+3", "The 3D view alone"},
+    Row{"&Window", "actLayoutCompare", "&Compare layout", "Ctrl+Alt+4", "Two views and the table of differences"},
     Row{"&Window", "actResetLayout", "&Reset layout", "", "Put every panel back where it was"},
 
     Row{"&Help", "actTour", "&Quick tour", "", "What is where, in four steps"},

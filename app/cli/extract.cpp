@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,7 +31,7 @@ struct ExtractOptions {
     int scan = -1;   ///< the last
     int until = -1;  ///< all steps
     std::vector<std::string> planes;
-    std::string segments, points, labels, history, stats, floorPlan;
+    std::string segments, points, labels, history, stats, floorPlan, report;
     double cutHeight = 1.0;  ///< above the floor [m]
     bool historyTimes = false;
     int repeats = 1;
@@ -137,6 +138,9 @@ Result<ExitCode> extract(const ExtractOptions& options)
     plan.add(options.floorPlan, kFloorPlanSuffixes, "the floor plan", [&](std::string_view) {
         return floorPlanWriter(options.cutHeight, [](std::string_view text) { printWarning(std::string{text}); });
     });
+    plan.add(options.report, kReportSuffixes, "the report", [&](std::string_view) {
+        return reportWriter(std::filesystem::path{options.input}.filename().string(), options.cutHeight);
+    });
     plan.add(options.labels, [](std::ostream& out, const ScanResults& r) { return writeLabels(out, r.labels); });
     Stats stats;
     plan.add(options.stats, [&stats](std::ostream& out, const ScanResults&) { return writeStats(out, stats); });
@@ -212,8 +216,10 @@ void addExtractCommand(CLI::App& program, Command& chosen)
     command.add_option("--labels", options->labels, "plane of every beam, a line per slice")->type_name("FILE");
     command.add_option("--floor-plan", options->floorPlan, "plan of the room, seen from above, as .dxf")
         ->type_name("FILE");
+    command.add_option("--report", options->report, "a page about the scan with plan and elevations, as .html")
+        ->type_name("FILE");
     addNumber(command, "--cut-height", options->cutHeight, 0.0, 100.0,
-              "height above the floor at which the plan is cut, in metres (default 1)");
+              "height above the floor at which a plan is cut, in metres (default 1)");
     command.add_option("--history", options->history, "every decision of every step (NDJSON)")->type_name("FILE");
     command.add_flag("--history-times", options->historyTimes, "with the time of each phase in the history");
     command.add_option("--stats", options->stats, "counts and times (JSON)")->type_name("FILE");

@@ -7,10 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace planewright {
+#include "core/formats/number_text.h"
 
-/// A number with so many digits behind the point, whatever the locale; never "-0".
-std::string fixedText(double value, int digits);
+namespace planewright {
 
 /// A number for JSON and lists: rounded to nine significant digits, as in all files.
 double rounded(double value);

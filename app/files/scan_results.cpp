@@ -60,4 +60,14 @@ ResultWriter floorPlanWriter(double cutHeight, std::function<void(std::string_vi
     };
 }
 
+ResultWriter reportWriter(std::string title, double cutHeight, int plannedSteps, std::vector<ReportPicture> pictures)
+{
+    return [title = std::move(title), cutHeight, plannedSteps, pictures = std::move(pictures)](std::ostream& out,
+                                                                                               const ScanResults& r) {
+        const double floor = floorHeight(r.planes).value_or(-cutHeight);
+        return writeScanReport(out, {title, "planewright " PLANEWRIGHT_VERSION, r.recording, *r.snapshot, r.planes,
+                                     r.parameters, plannedSteps, floor + cutHeight, pictures});
+    };
+}
+
 }  // namespace planewright

@@ -3,9 +3,14 @@
 
 #include "app/window/exports.h"
 
+#include <filesystem>
+
+#include <QBuffer>
+
 #include "app/cli/output_file.h"
 #include "app/files/file_kind.h"
 #include "app/files/recording_file.h"
+#include "app/window/screenshot.h"
 #include "core/pipeline/apply_edits.h"
 
 namespace planewright {
@@ -23,10 +28,44 @@ ResultWriter writerOf(ExportKind kind, std::string_view suffix)
             return segmentsWriter(suffix);
         case ExportKind::FloorPlan:
             return floorPlanWriter(kCutHeight, [](std::string_view) {});
+        case ExportKind::PageOfScan:  // has a writer with pictures
         case ExportKind::PlanesFound:
             break;
     }
     return planesWriter(suffix);
+}
+
+std::string base64Of(const QImage& picture)
+{
+    QByteArray png;
+    QBuffer file(&png);
+    file.open(QIODevice::WriteOnly);
+    picture.save(&file, "png");
+    return png.toBase64().toStdString();
+}
+
+/// The view as it is, and from the usual corner.
+std::vector<ReportPicture> picturesOf(WindowParts& parts)
+{
+    constexpr QSize kReportPicture(1040, 650);
+    View3d& view = parts.window->view();
+    std::vector<ReportPicture> pictures;
+    pictures.push_back(
+        {QObject::tr("As seen in the window").toStdString(), base64Of(takePicture(parts, kReportPicture, false))});
+    const ViewCamera camera = view.camera();
+    view.showNamed(NamedView::Iso);
+    pictures.push_back(
+        {QObject::tr("From above and behind").toStdString(), base64Of(takePicture(parts, kReportPicture, false))});
+    view.setCamera(camera);
+    return pictures;
+}
+
+ResultWriter pageWriter(WindowParts& parts)
+{
+    const std::string recording = parts.session.status().recording;
+    const std::string title =
+        recording.empty() ? parts.session.status().source : std::filesystem::path{recording}.filename().string();
+    return reportWriter(title, kCutHeight, parts.session.map()->plannedSteps, picturesOf(parts));
 }
 
 /// What an export is made of, all of it shared or copied: the scan may go on meanwhile.
@@ -82,13 +121,15 @@ std::span<const std::string_view> suffixesOf(ExportKind kind)
             return kSegmentsSuffixes;
         case ExportKind::FloorPlan:
             return kFloorPlanSuffixes;
+        case ExportKind::PageOfScan:
+            return kReportSuffixes;
         case ExportKind::PlanesFound:
             break;
     }
     return kPlanesSuffixes;
 }
 
-Result<std::function<Result<void>()>> exportOf(const WindowParts& parts, ExportKind kind, const QString& file)
+Result<std::function<Result<void>()>> exportOf(WindowParts& parts, ExportKind kind, const QString& file)
 {
     if (!parts.session.map()->snapshot)
         return fail(ErrorCode::Usage, "There is no scan to export; open or take one first.");
@@ -98,7 +139,8 @@ Result<std::function<Result<void>()>> exportOf(const WindowParts& parts, ExportK
         return tl::unexpected{suffix.error()};
     ScanAtThisMoment scan{parts.session.map(), parts.session.description(), parts.session.parameters(),
                           parts.edits.inForce()};
-    return [scan = std::move(scan), writer = writerOf(kind, *suffix), kind, path] {
+    ResultWriter writer = kind == ExportKind::PageOfScan ? pageWriter(parts) : writerOf(kind, *suffix);
+    return [scan = std::move(scan), writer = std::move(writer), kind, path] {
         const ScanResults results = resultsOf(scan, kind == ExportKind::ScanPoints);
         return OutputFile::writeWhole(path, true, [&](std::ostream& out) { return writer(out, results); });
     };

@@ -55,6 +55,8 @@ FileControl::FileControl(WindowParts& parts, ScanControl& scan) : QObject(&parts
        [this] { exportWithDialog(ExportKind::LineSegments, tr("Export segments"), QStringLiteral("segments.csv")); });
     on("actExportFloorPlan",
        [this] { exportWithDialog(ExportKind::FloorPlan, tr("Export floor plan"), QStringLiteral("plan.dxf")); });
+    on("actExportReport",
+       [this] { exportWithDialog(ExportKind::PageOfScan, tr("Export report"), QStringLiteral("report.html")); });
     on("actScreenshot", [this] { takeScreenshot(); });
     on("actScreenshotOptions", [this] { takeScreenshotWithOptions(); });
     on("actValidate", [this] { validate(); });
@@ -62,7 +64,7 @@ FileControl::FileControl(WindowParts& parts, ScanControl& scan) : QObject(&parts
     const auto refresh = [this, &actions] {
         const bool any = parts_.shown->snapshot != nullptr;
         for (const char* name : {"actSaveCopy", "actExportPlanes", "actExportPoints", "actExportSegments",
-                                 "actExportFloorPlan", "actScreenshot", "actScreenshotOptions"})
+                                 "actExportFloorPlan", "actExportReport", "actScreenshot", "actScreenshotOptions"})
             actions[QLatin1String(name)]->setEnabled(any);
     };
     connect(&parts_, &WindowParts::mapShown, this, refresh);

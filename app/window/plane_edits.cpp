@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/panels/filtered_table.h"
 
 namespace planewright {

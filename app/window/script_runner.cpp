@@ -100,12 +100,8 @@ void ScriptRunner::settle()
 {
     // What an action leads to comes by events as well: layouts above all.
     QCoreApplication::processEvents();
-    waitUntil(
-        [this] {
-            return !parts_.worker.isBusy() && !parts_.background.isBusy() &&
-                   parts_.shown->snapshot == parts_.session.map()->snapshot;
-        },
-        kSettleTime);
+    waitUntil([this] { return !parts_.isAtWork() && parts_.shown->snapshot == parts_.session.map()->snapshot; },
+              kSettleTime);
 }
 
 Result<void> ScriptRunner::open(const QJsonObject& line)

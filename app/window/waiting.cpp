@@ -35,8 +35,7 @@ Result<void> waitForRest(WindowParts& parts, std::chrono::milliseconds time)
                                state == SessionState::Review || state == SessionState::ReadOnly ||
                                state == SessionState::Paused;
             const std::shared_ptr<const SessionMap> map = parts.session.map();
-            return parts.fault || (rests && !parts.worker.isBusy() && !parts.background.isBusy() &&
-                                   parts.shown->snapshot == map->snapshot);
+            return parts.fault || (rests && !parts.isAtWork() && parts.shown->snapshot == map->snapshot);
         },
         time);
     if (parts.fault)

@@ -5,6 +5,7 @@
 
 #include "app/window/charts_control.h"
 #include "app/window/clip_control.h"
+#include "app/window/compare_control.h"
 #include "app/window/device_control.h"
 #include "app/window/file_control.h"
 #include "app/window/history_control.h"
@@ -27,6 +28,7 @@ struct WindowControllers {
           history(parts),
           charts(parts),
           slice(parts),
+          compare(parts, scan, follower),
           devices(parts, scan),
           edits(parts),
           measure(parts),
@@ -43,6 +45,7 @@ struct WindowControllers {
     HistoryControl history;
     ChartsControl charts;
     SliceControl slice;
+    CompareControl compare;
     DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;

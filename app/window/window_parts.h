@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -56,6 +57,9 @@ public:
     /// Lets the user see the form of laser and tilt unit.
     void showDevices();
 
+    /// Something is still being worked out for what the window shows, or written.
+    bool isAtWork() const { return worker.isBusy() || background.isBusy() || (isComparing && isComparing()); }
+
     /// Asks for the session's map with the edits in force.
     void showMap();
 
@@ -75,6 +79,7 @@ public:
     EditHistory edits;
     MapWorker worker;
     BackgroundWork background;
+    std::function<bool()> isComparing;  ///< of whoever shows a second map
     /// What the window shows; never null.
     std::shared_ptr<const ShownMap> shown = std::make_shared<ShownMap>();
 

@@ -15,14 +15,6 @@ namespace {
 
 using Ring = std::vector<Eigen::Vector3d>;
 
-/// Root of the larger eigenvalue of the tangent angles' covariance [rad], in closed form.
-double normalSigma(const Eigen::Matrix3d& covariance)
-{
-    const double middle = 0.5 * (covariance(0, 0) + covariance(1, 1));
-    const double half = 0.5 * (covariance(0, 0) - covariance(1, 1));
-    return std::sqrt(middle + std::hypot(half, covariance(0, 1)));
-}
-
 std::string lineageText(const Lineage& lineage)
 {
     if (lineage.parents.empty() || lineage.kind == Lineage::Kind::Fitted)
@@ -89,6 +81,13 @@ std::string wellKnownText(const Outline& outline)
     }
     text.resize(text.size() - 2);
     return text + ')';
+}
+
+double normalSigma(const Eigen::Matrix3d& covariance)
+{
+    const double middle = 0.5 * (covariance(0, 0) + covariance(1, 1));
+    const double half = 0.5 * (covariance(0, 0) - covariance(1, 1));
+    return std::sqrt(middle + std::hypot(half, covariance(0, 1)));
 }
 
 std::vector<PlaneCell> planeCells(const PlaneResult& result)

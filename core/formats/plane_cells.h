@@ -25,6 +25,9 @@ struct PlaneCell {
 /// outline all that is measured on it; with an all-zero covariance the sigmas.
 std::vector<PlaneCell> planeCells(const PlaneResult& result);
 
+/// By how much a normal may be turned: root of the larger eigenvalue of the tangent angles' covariance [rad].
+double normalSigma(const Eigen::Matrix3d& covariance);
+
 /// True where a plane's covariance is known.
 bool hasCovariance(const Plane& plane);
 

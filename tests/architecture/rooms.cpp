@@ -59,6 +59,7 @@ std::span<const Room> rooms()
         {"ui/opengl", {"core/types"}, Names{"tl/expected.hpp", "vtk", "GL/", "EGL/", "dlfcn.h"}},
         {"ui", {"core", "ui/common", "ui/models", "ui/opengl", "ui/scene"}, kNumbers + Names{"Q", "vtk"}},
 
+        {"app/process", {}, Names{"cstdlib", "malloc.h"}},
         {"app/files", {"core"}, kNumbers + Names{"unistd.h", "sys/", "fcntl.h"}},
         {"app/sources",
          {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "app/files"},
@@ -71,11 +72,12 @@ std::span<const Room> rooms()
         // The command line links no widget and no picture.
         {"app/cli",
          {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "app/files", "app/sources",
-          "app/session", "app/session/loops"},
+          "app/process", "app/session", "app/session/loops"},
          kNumbers + Names{"CLI/", "spdlog/", "nlohmann/", "Qt", "unistd.h", "sys/", "fcntl.h"}},
         {"app",
          {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "ui", "ui/common", "ui/models",
-          "ui/opengl", "ui/scene", "app/cli", "app/files", "app/sources", "app/session", "app/session/loops"},
+          "ui/opengl", "ui/scene", "app/cli", "app/files", "app/process", "app/sources", "app/session",
+          "app/session/loops"},
          {""}},
     };
     return all;

@@ -11,7 +11,7 @@
 
 #include "core/geometry/measure_planes.h"
 #include "core/types/angle.h"
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/models/model_roles.h"
 #include "ui/models/number_text.h"
 

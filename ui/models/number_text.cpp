@@ -21,7 +21,6 @@ QString numberText(double value, int decimals)
 
 QString lengthText(double metres, const LengthStyle& style)
 {
-    constexpr double kMillimetres = 1000.0;
     return style.millimetres ? numberText(metres * kMillimetres, std::max(style.decimals - 3, 0))
                              : numberText(metres, style.decimals);
 }

@@ -9,6 +9,8 @@
 
 namespace planewright {
 
+inline constexpr double kMillimetres = 1000.0;  ///< in a metre
+
 /// A number for the eye with so many digits behind the point, by no locale: never "-0", and "–" for one that is no
 /// number.
 QString numberText(double value, int decimals);

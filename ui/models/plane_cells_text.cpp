@@ -7,14 +7,13 @@
 
 #include "core/geometry/plane_angles.h"
 #include "core/types/angle.h"
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/models/number_text.h"
 
 namespace planewright {
 
 namespace {
 
-constexpr double kMillimetres = 1000.0;
 constexpr int kNormalDecimals = 4;
 
 const Outline* outlineOf(const ShownPlane& shown)

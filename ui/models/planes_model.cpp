@@ -8,7 +8,7 @@
 
 #include <QColor>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/common/same_scan.h"
 #include "ui/models/plane_cells_text.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/common/same_scan.h"
 #include "ui/models/number_text.h"
 
@@ -15,8 +15,6 @@ namespace planewright {
 namespace {
 
 using Kind = FilterKey::Kind;
-
-constexpr double kMillimetres = 1000.0;
 
 constexpr int column(SegmentColumn column)
 {
@@ -33,11 +31,11 @@ constexpr std::array<FilterKey, 7> kSegmentKeys{{
     {"rms", Kind::Number, column(SegmentColumn::Rms)},
 }};
 
-struct ColumnWords {
+struct SegmentColumnWords {
     const char* title;
     const char* meaning;
 };
-constexpr std::array<ColumnWords, kSegmentColumns> kWords{{
+constexpr std::array<SegmentColumnWords, kSegmentColumns> kSegmentWords{{
     {"ID", "Step and place in its slice"},
     {"Step", "Step at which it was seen"},
     {"State", "Fitted where it belongs to a plane"},
@@ -277,7 +275,7 @@ QVariant SegmentsModel::headerData(int section, Qt::Orientation orientation, int
     if (orientation != Qt::Horizontal || section < 0 || section >= kSegmentColumns)
         return {};
     const auto column = static_cast<SegmentColumn>(section);
-    const ColumnWords& words = kWords[static_cast<std::size_t>(section)];
+    const SegmentColumnWords& words = kSegmentWords[static_cast<std::size_t>(section)];
     if (role == Qt::DisplayRole)
         return QString::fromUtf8(words.title) + (isLength(column) ? ' ' + lengthUnit(style_) : QString{});
     if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)

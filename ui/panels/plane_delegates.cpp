@@ -8,7 +8,7 @@
 #include <QComboBox>
 #include <QPainter>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/models/model_roles.h"
 
 namespace planewright {

@@ -70,6 +70,7 @@ Result<void> View3d::present(const PresenterSettings& settings)
     if (!made)
         return tl::unexpected{made.error()};
     presenter_ = std::move(*made);
+    presented_ = settings;
     presenter_->widget().setGeometry(rect());
     presenter_->widget().lower();
     presenter_->widget().show();

@@ -33,6 +33,8 @@ public:
 
     /// Errors: NoRenderer; the view then stays empty.
     Result<void> present(const PresenterSettings& settings);
+    /// What it was made to draw with, for another view that is to look alike.
+    const PresenterSettings& presented() const { return presented_; }
 
     void setPointBudget(std::size_t points);
     void setSmoothEdges(bool smooth);
@@ -96,6 +98,7 @@ private:
 
     MapScene scene_;
     std::unique_ptr<Presenter> presenter_;
+    PresenterSettings presented_;
     OverlayWidget* glass_;
     OverlayContent overlay_;
     Drag drag_ = Drag::None;

@@ -15,6 +15,7 @@ private slots:
     void drawingsHaveALayerForEachClass();
     void planIsCutWhereItIsAskedFor();
     void planWithoutAFloorIsCutAtThePitchAxis();
+    void aReportIsOnePageOfTheScan();
 
 private:
     ProgramRun extract(const QStringList& options) const
@@ -67,6 +68,23 @@ void CliDrawingsTest::planWithoutAFloorIsCutAtThePitchAxis()
     QCOMPARE(run.code, 0);
     QCOMPARE(run.err, QByteArray("planewright-cli: warning: no floor is found; the plan is cut at the height of the "
                                  "pitch axis\n"));
+}
+
+void CliDrawingsTest::aReportIsOnePageOfTheScan()
+{
+    const ProgramRun run = extract({"--report", "scan.html", "--planes", "r.csv"});
+    const QByteArray page = bytesOf(path("scan.html"));
+
+    QVERIFY2(run.code == 0, run.err);
+    QVERIFY(page.startsWith("<!DOCTYPE html>"));
+    QVERIFY(page.contains("<h1>scan.csv</h1>"));
+    QCOMPARE(page.count("<svg "), 5);  // a plan and four sides
+    for (const char* plane : {"P00", "P01"})
+        QVERIFY(page.contains(QByteArray("<td class=\"word\">") + plane + "</td>"));
+    QVERIFY(!page.contains("http://") || page.count("http://") == page.count("xmlns=\"http://www.w3.org/2000/svg\""));
+    QCOMPARE(extract({"--report", "again.html"}).code, 0);
+    QCOMPARE(bytesOf(path("again.html")), page);
+    QCOMPARE(extract({"--report", "x.pdf"}).code, 2);
 }
 
 PLANEWRIGHT_TEST(CliDrawingsTest)

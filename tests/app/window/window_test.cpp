@@ -40,6 +40,7 @@ private slots:
     void hidingTakesThePlaneOutOfThePicture();
     void shortcutsOfLettersWorkInTheViewOnly();
     void exportsAreTheBytesOfTheCommandLine();
+    void reportsHavePicturesOfTheView();
     void measurementsComeFromClicks();
     void layersFollowMenuAndPanel();
     void anUnknownSceneIsToldInABanner();
@@ -281,6 +282,27 @@ void WindowTest::exportsAreTheBytesOfTheCommandLine()
     QFile written(file);
     QVERIFY(written.open(QIODevice::ReadOnly));
     QCOMPARE(written.readAll().toStdString(), expected.str());
+}
+
+void WindowTest::reportsHavePicturesOfTheView()
+{
+    QVERIFY(shown_->scanCorridor());
+    const QString file = folder_.filePath("report.html");
+    const ViewCamera camera = parts_->window->view().camera();
+
+    const auto write = exportOf(*parts_, ExportKind::PageOfScan, file);
+
+    QVERIFY2(write, write ? "" : write.error().message.c_str());
+    QCOMPARE(parts_->window->view().camera(), camera);
+    QVERIFY((*write)());
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QByteArray page = written.readAll();
+    QCOMPARE(page.count("src=\"data:image/png;base64,"), 2);
+    const qsizetype begin = page.indexOf("base64,") + 7;
+    const QImage picture =
+        QImage::fromData(QByteArray::fromBase64(page.mid(begin, page.indexOf('"', begin) - begin)), "png");
+    QCOMPARE(picture.size(), QSize(1040, 650));
 }
 
 void WindowTest::measurementsComeFromClicks()

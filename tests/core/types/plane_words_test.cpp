@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 
 #include <QtTest>
 

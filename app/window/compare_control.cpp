@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/window/compare_control.h"
+
+#include <utility>
+
+#include "core/params/presets.h"
+#include "core/params/registry.h"
+
+namespace planewright {
+
+namespace {
+
+/// A room with a curved wall, on which the averages of a cluster's direction differ (section 4.2, Fig. 5).
+constexpr const char* kCurvedRoom = "sim:curved?seed=1&speed=0";
+
+QString wordsOf(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// A preset of the method on what is known of the scanner.
+Parameters withPreset(Parameters parameters, std::string_view preset)
+{
+    apply(*findPreset(methodPresets(), preset), parameters);
+    return parameters;
+}
+
+/// Places among the choices: presets come first.
+constexpr int kSimpleAverage = 2;
+constexpr int kExponentialAverage = 4;
+
+struct Average {
+    const char* value;
+    const char* name;
+    const char* meaning;
+};
+constexpr std::array<Average, 3> kAverages{
+    {{"sma", "paper, SMA", "clusters by the simple moving average, Eq. (10)"},
+     {"lwma", "paper, LWMA", "clusters by the linearly weighted moving average, Eq. (11)"},
+     {"ewma", "paper, EWMA", "clusters by the exponentially weighted moving average, Eq. (12)"}}};
+
+}  // namespace
+
+CompareControl::CompareControl(WindowParts& parts, ScanControl& scan, ThemeFollower& follower)
+    : QObject(&parts), parts_(parts), scan_(scan), follower_(follower), panel_(new ComparePanel(model_))
+{
+    parts_.window->addBottomPanel(panel_, tr("Compare"));
+    parts_.isComparing = [this] { return isBusy(); };
+    connectActions();
+    connect(panel_, &ComparePanel::runRequested, this, &CompareControl::run);
+    connect(panel_, &ComparePanel::closeRequested, this, &CompareControl::close);
+    connect(panel_, &ComparePanel::planesChosen, this, &CompareControl::choosePlanes);
+    connect(&parts_.playhead, &Playhead::placeChanged, this, &CompareControl::showStep);
+    connect(&parts_, &WindowParts::mapShown, this, &CompareControl::showStep);
+    connect(&parts_.session, &ScanSession::parametersChanged, this, &CompareControl::refreshChoices);
+    connect(&parts_.session, &ScanSession::historyChanged, this, [this](int steps) {
+        if (steps == 0)
+            close();
+    });
+    connect(&worker_, &MapWorker::shown, this, [this](const std::shared_ptr<const ShownMap>& map) {
+        if (branch_)
+            parts_.window->secondView().setMap(map);
+    });
+    refreshChoices();
+}
+
+void CompareControl::connectActions()
+{
+    WindowActions& actions = parts_.window->actions();
+    const auto show = [this] {
+        parts_.window->showBottomPanel(QStringLiteral("comparePanel"));
+        panel_->setFocus();
+    };
+    connect(actions[QStringLiteral("actCompare")], &QAction::triggered, this, show);
+    connect(actions[QStringLiteral("actLayoutCompare")], &QAction::triggered, this, [this, show] {
+        show();
+        if (!branch_)
+            run(panel_->choice());
+    });
+    connect(actions[QStringLiteral("actMovingAverages")], &QAction::triggered, this, &CompareControl::showExample);
+    const auto refresh = [this, &actions] {
+        const bool any = parts_.shown->snapshot != nullptr;
+        actions[QStringLiteral("actLayoutCompare")]->setEnabled(any);
+    };
+    connect(&parts_, &WindowParts::mapShown, this, refresh);
+    refresh();
+}
+
+std::vector<CompareControl::Choice> CompareControl::choices() const
+{
+    const Parameters& present = parts_.session.parameters();
+    std::vector<Choice> choices;
+    for (const Preset& preset : methodPresets())
+        choices.push_back({wordsOf(preset.name), wordsOf(preset.meaning), withPreset(present, preset.name)});
+    for (const Average& average : kAverages) {
+        Parameters parameters = withPreset(present, "paper");
+        if (setParameter(parameters, "clusters.average", average.value))
+            choices.push_back({QString::fromLatin1(average.name), tr(average.meaning), parameters});
+    }
+    choices.push_back(
+        {tr("parameters as set"), tr("what the Parameters tab has now: change there, then compare"), present});
+    return choices;
+}
+
+void CompareControl::refreshChoices()
+{
+    choices_ = choices();
+    QStringList names;
+    QStringList meanings;
+    for (const Choice& choice : choices_) {
+        names.push_back(choice.name);
+        meanings.push_back(choice.meaning);
+    }
+    panel_->setChoices(names, meanings);
+}
+
+/// The second view looks like the first, from the same place.
+void CompareControl::connectView()
+{
+    if (std::exchange(isLinked_, true))
+        return;
+    View3d& first = parts_.window->view();
+    View3d& second = parts_.window->secondView();
+    if (const auto presented = second.present(first.presented()); !presented)
+        parts_.problem(tr("compare"), presented.error());
+    const auto follow = [this](View3d& from, View3d& to) {
+        if (std::exchange(isFollowing_, true))
+            return;
+        to.setCamera(from.camera());
+        isFollowing_ = false;
+    };
+    connect(&first, &View3d::cameraChanged, this, [&first, &second, follow] { follow(first, second); });
+    connect(&second, &View3d::cameraChanged, this, [&first, &second, follow] { follow(second, first); });
+    connect(&second, &View3d::clicked, this, [this](const std::optional<Picked>& picked, bool /*add*/) {
+        const PlaneId plane = picked ? picked->plane : kNoPlane;
+        const int row = model_.rowOfB(plane);
+        choosePlanes(row < 0 ? kNoPlane : model_.planeA(row), plane);
+    });
+    connect(&parts_, &WindowParts::layersChanged, this, [this, &second] { second.setLayers(parts_.layers); });
+    connect(&parts_, &WindowParts::preferencesChanged, this, [this, &second] { second.setTheme(follower_.theme()); });
+    connect(&follower_, &ThemeFollower::themeChanged, &second, &View3d::setTheme);
+    connect(&parts_.selection, &MapSelection::changed, this, &CompareControl::takeSelection);
+    second.setLayers(parts_.layers);
+    second.setTheme(follower_.theme());
+    second.setCamera(first.camera());
+}
+
+void CompareControl::run(int choice)
+{
+    if (choice < 0 || choice >= static_cast<int>(choices_.size()))
+        return;
+    if (parts_.session.history().empty()) {
+        parts_.say(tr("There is no scan to compare; open or take one first."));
+        return;
+    }
+    const Choice& chosen = choices_[static_cast<std::size_t>(choice)];
+    branch_ = std::make_unique<ScanBranch>(parts_.session.measuredDescription(), parts_.session.measuredSlices(),
+                                           chosen.parameters, parts_.session.map()->plannedSteps);
+    branchName_ = chosen.name;
+    connect(branch_.get(), &ScanBranch::grown, this, &CompareControl::takeGrown);
+    connect(branch_.get(), &ScanBranch::ended, this, &CompareControl::takeEnded);
+    panel_->setNames(tr("this scan"), branchName_);
+    panel_->setProgress(0, static_cast<int>(parts_.session.history().size()));
+    connectView();
+    parts_.window->showSecondView(true);
+    parts_.window->showBottomPanel(QStringLiteral("comparePanel"));
+}
+
+void CompareControl::close()
+{
+    branch_.reset();
+    model_.setMaps(nullptr, nullptr);
+    panel_->setTotals(nullptr, nullptr);
+    panel_->setIdle(false);
+    parts_.window->showSecondView(false);
+}
+
+void CompareControl::takeGrown()
+{
+    panel_->setProgress(static_cast<int>(branch_->history().steps().size()),
+                        static_cast<int>(parts_.session.history().size()));
+}
+
+void CompareControl::takeEnded()
+{
+    panel_->setIdle(true);
+    if (const auto& problem = branch_->problem()) {
+        parts_.problem(tr("compare"), *problem);
+        panel_->setProblem(QString::fromStdString(problem->message));
+        return;
+    }
+    showStep();
+}
+
+/// Both maps at the step that is looked at.
+void CompareControl::showStep()
+{
+    if (!branch_ || !branch_->isFinished() || !parts_.shown->snapshot)
+        return;
+    const Playhead& playhead = parts_.playhead;
+    const ScanHistory& history = branch_->history();
+    const auto snapshot = playhead.snapshot();
+    // The forced last pass has no step of its own; until it was made, the step before it is what is newest.
+    const bool isLast = !snapshot || snapshot->report.step < 0;
+    const auto map = isLast ? history.newest() : history.after(static_cast<std::size_t>(playhead.place()) + 1);
+    worker_.show({map, {}, history.description(), branch_->parameters()});
+    model_.setMaps(parts_.shown->snapshot, map->snapshot);
+    panel_->setTotals(parts_.shown->snapshot.get(), map->snapshot.get());
+    OverlayContent words;
+    words.stateText = tr("B: %1").arg(branchName_);
+    words.stateColour = QColor(0x6a, 0x4c, 0x93);
+    if (map->snapshot)
+        words.facts = QStringList{tr("planes %1").arg(map->snapshot->planes.size())};
+    parts_.window->secondView().setOverlay(words);
+    takeSelection();
+}
+
+void CompareControl::choosePlanes(PlaneId a, PlaneId b)
+{
+    parts_.selection.select(a == kNoPlane ? std::set<PlaneId>{} : std::set<PlaneId>{a});
+    SceneSelection selection;
+    if (b != kNoPlane)
+        selection.planes.insert(b);
+    parts_.window->secondView().setSelection(selection);
+}
+
+/// What is chosen in the first view has its partners chosen in the second.
+void CompareControl::takeSelection()
+{
+    if (!branch_ || parts_.selection.planes().empty())
+        return;
+    SceneSelection selection;
+    for (const PlaneId plane : parts_.selection.planes()) {
+        const int row = model_.rowOfA(plane);
+        if (row >= 0 && model_.planeB(row) != kNoPlane)
+            selection.planes.insert(model_.planeB(row));
+    }
+    parts_.window->secondView().setSelection(selection);
+}
+
+/// Fig. 5: a curved wall is scanned and extracted with the simple average, and the exponential one is held against it.
+void CompareControl::showExample()
+{
+    auto* waiting = new QObject(this);
+    connect(&parts_.session, &ScanSession::stateChanged, waiting,
+            [this, waiting, isExtracted = false](SessionState state) mutable {
+                if (state != SessionState::Review)
+                    return;
+                const auto act = [this](const Result<void>& done) {
+                    if (!done)
+                        parts_.problem(tr("compare"), done.error());
+                };
+                if (!std::exchange(isExtracted, true)) {
+                    act(parts_.session.setParameters(choices()[kSimpleAverage].parameters));
+                    act(parts_.session.rerun());
+                    return;
+                }
+                waiting->deleteLater();
+                disconnect(&parts_.session, nullptr, waiting, nullptr);
+                panel_->setChoice(kExponentialAverage);
+                run(kExponentialAverage);
+            });
+    scan_.open(QString::fromLatin1(kCurvedRoom), true);
+}
+
+}  // namespace planewright

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/formats/svg_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/formats/number_text.h"
+
+namespace planewright {
+
+namespace {
+
+constexpr double kMargin = 12.0;       // about the drawing [px]
+constexpr double kBelow = 26.0;        // for the bar [px]
+constexpr double kLabelHeight = 14.0;  // of a text of 12 px
+constexpr double kLetterWidth = 7.5;
+constexpr double kClosestLines = 20.0;  // of the grid [px]
+
+std::string pixels(double value)
+{
+    return fixedText(value, 2);
+}
+
+/// 1, 2, 5, 10, 20, … metres: the least that is far enough.
+double gridStep(double pixelsPerMetre)
+{
+    double step = 1.0;
+    for (int turn = 0; step * pixelsPerMetre < kClosestLines; ++turn)
+        step *= turn % 3 == 1 ? 2.5 : 2.0;
+    return step;
+}
+
+}  // namespace
+
+std::string markupText(std::string_view text)
+{
+    std::string markup;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        switch (c) {
+            case '&':
+                markup += "&amp;";
+                break;
+            case '<':
+                markup += "&lt;";
+                break;
+            case '>':
+                markup += "&gt;";
+                break;
+            case '"':
+                markup += "&quot;";
+                break;
+            case '\'':
+                markup += "&#39;";
+                break;
+            default:
+                if (code >= 0x20 && code != 0x7f)
+                    markup += c;
+                else if (c == '\n' || c == '\t')
+                    markup += ' ';
+        }
+    }
+    return markup;
+}
+
+SvgDrawing::SvgDrawing(const Eigen::Vector2d& lowest, const Eigen::Vector2d& highest, double width, double height)
+    : lowest_(lowest), highest_(highest)
+{
+    constexpr double kLeastSize = 0.01;  // [m]
+    const Eigen::Vector2d size = (highest - lowest).cwiseMax(kLeastSize);
+    scale_ = std::min((width - 2.0 * kMargin) / size.x(), (height - 2.0 * kMargin - kBelow) / size.y());
+}
+
+Eigen::Vector2d SvgDrawing::toPicture(const Eigen::Vector2d& point) const
+{
+    return {kMargin + scale_ * (point.x() - lowest_.x()), kMargin + scale_ * (highest_.y() - point.y())};
+}
+
+void SvgDrawing::append(const Eigen::Vector2d& point)
+{
+    const Eigen::Vector2d at = toPicture(point);
+    body_ += pixels(at.x()) + " " + pixels(at.y());
+}
+
+void SvgDrawing::area(std::string_view style, const std::vector<Ring>& rings)
+{
+    body_ += "<path class=\"" + markupText(style) + "\" fill-rule=\"evenodd\" d=\"";
+    for (const Ring& ring : rings) {
+        char command = 'M';
+        for (const Eigen::Vector2d& corner : ring) {
+            body_ += command;
+            append(corner);
+            command = 'L';
+        }
+        if (!ring.empty())
+            body_ += 'Z';
+    }
+    body_ += "\"/>\n";
+}
+
+void SvgDrawing::line(std::string_view style, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+{
+    body_ += "<path class=\"" + markupText(style) + "\" d=\"M";
+    append(from);
+    body_ += 'L';
+    append(to);
+    body_ += "\"/>\n";
+}
+
+void SvgDrawing::dot(std::string_view style, const Eigen::Vector2d& centre, double radius)
+{
+    const Eigen::Vector2d at = toPicture(centre);
+    body_ += "<circle class=\"" + markupText(style) + "\" cx=\"" + pixels(at.x()) + "\" cy=\"" + pixels(at.y()) +
+             "\" r=\"" + pixels(radius) + "\"/>\n";
+}
+
+bool SvgDrawing::label(std::string_view style, const Eigen::Vector2d& centre, std::string_view text)
+{
+    const Eigen::Vector2d at = toPicture(centre);
+    const Eigen::Vector2d half{0.5 * kLetterWidth * static_cast<double>(text.size()), 0.5 * kLabelHeight};
+    const Box box{at - half, at + half};
+    const bool isFree = std::none_of(labels_.begin(), labels_.end(), [&](const Box& other) {
+        return (box.lowest.array() < other.highest.array()).all() && (other.lowest.array() < box.highest.array()).all();
+    });
+    if (!isFree)
+        return false;
+    labels_.push_back(box);
+    body_ += "<text class=\"" + markupText(style) + "\" x=\"" + pixels(at.x()) + "\" y=\"" +
+             pixels(at.y() + 0.3 * kLabelHeight) + "\" text-anchor=\"middle\">" + markupText(text) + "</text>\n";
+    return true;
+}
+
+void SvgDrawing::grid()
+{
+    const double step = gridStep(scale_);
+    for (double x = step * std::ceil(lowest_.x() / step); x <= highest_.x(); x += step)
+        line("grid", {x, lowest_.y()}, {x, highest_.y()});
+    for (double y = step * std::ceil(lowest_.y() / step); y <= highest_.y(); y += step)
+        line("grid", {lowest_.x(), y}, {highest_.x(), y});
+    const Eigen::Vector2d from{lowest_.x(), lowest_.y() - 12.0 / scale_};
+    line("bar", from, from + Eigen::Vector2d{step, 0.0});
+    const Eigen::Vector2d at = toPicture(from);
+    body_ += "<text class=\"bar-text\" x=\"" + pixels(at.x() + step * scale_ + 6.0) + "\" y=\"" + pixels(at.y() + 4.0) +
+             "\">" + formatNumber(step) + " m</text>\n";
+}
+
+std::string SvgDrawing::take(std::string_view title) &&
+{
+    const Eigen::Vector2d size = toPicture({highest_.x(), lowest_.y()}) + Eigen::Vector2d{kMargin, kMargin + kBelow};
+    const std::string words = markupText(title);
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixels(size.x()) + " " + pixels(size.y()) +
+           "\" width=\"" + pixels(size.x()) + "\" height=\"" + pixels(size.y()) + "\" role=\"img\" aria-label=\"" +
+           words + "\">\n<title>" + words + "</title>\n" + std::move(body_) + "</svg>\n";
+}
+
+}  // namespace planewright
