@@ -18,12 +18,16 @@ namespace planewright {
 
 namespace {
 
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr QSize kDefaultSize{1440, 900};
 constexpr QSize kMinimumSize{1024, 700};
 constexpr int kSetupWidth = 300;
 constexpr int kPlanesWidth = 420;
+constexpr int kLeastSideWidth = 240;  ///< what is at the sides can be used in the smallest window, too
+constexpr int kTimelineHeight = 132;
 constexpr int kBottomHeight = 220;
+constexpr int kBottomHeightSmall = 140;  ///< where the window is lower than this:
+constexpr int kLowWindow = 820;
 
 /// The one file that was dropped, where it is a file of this machine.
 QString droppedFile(const QMimeData& data)
@@ -50,7 +54,7 @@ MainWindow::MainWindow(QWidget* parent)
     resize(kDefaultSize);
     setAcceptDrops(true);
     setDockOptions(AllowTabbedDocks | AllowNestedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 
     auto* centre = new QWidget;
@@ -65,7 +69,15 @@ MainWindow::MainWindow(QWidget* parent)
 
     addDock(QStringLiteral("dockSetup"), tr("Setup"), Qt::LeftDockWidgetArea);
     addDock(QStringLiteral("dockPlanes"), tr("Planes"), Qt::RightDockWidgetArea);
-    addDock(QStringLiteral("dockBottom"), tr("Details"), Qt::BottomDockWidgetArea)->setWidget(bottom_);
+    for (QDockWidget* dock : docks_)
+        dock->setMinimumWidth(kLeastSideWidth);
+    // Its title is written beside it: it is low and wide.
+    QDockWidget* timeline = addDock(QStringLiteral("dockTimeline"), tr("Timeline"), Qt::BottomDockWidgetArea);
+    timeline->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
+                          QDockWidget::DockWidgetVerticalTitleBar);
+    QDockWidget* details = addDock(QStringLiteral("dockBottom"), tr("Details"), Qt::BottomDockWidgetArea);
+    details->setWidget(bottom_);
+    splitDockWidget(timeline, details, Qt::Vertical);
     bottom_->setObjectName(QStringLiteral("bottomTabs"));
     bottom_->setDocumentMode(true);
 
@@ -74,7 +86,7 @@ MainWindow::MainWindow(QWidget* parent)
     makeToolBar();
     makeStatusBar();
     makeViewButtons();
-    operate();
+    inspect();
     plainLayout_ = saveState(kLayoutVersion);
     connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::openRequested);
 }
@@ -240,13 +252,25 @@ void MainWindow::makeSubmenus()
 
 void MainWindow::operate()
 {
-    for (QDockWidget* dock : docks_) {
-        dock->setFloating(false);
-        dock->show();
+    arrange({QStringLiteral("dockSetup"), QStringLiteral("dockPlanes"), QStringLiteral("dockTimeline")});
+}
+
+void MainWindow::inspect()
+{
+    arrange(docks_.keys());
+}
+
+void MainWindow::arrange(const QStringList& shown)
+{
+    for (auto dock = docks_.cbegin(); dock != docks_.cend(); ++dock) {
+        dock.value()->setFloating(false);
+        dock.value()->setVisible(shown.contains(dock.key()));
     }
     resizeDocks({docks_[QStringLiteral("dockSetup")], docks_[QStringLiteral("dockPlanes")]},
                 {kSetupWidth, kPlanesWidth}, Qt::Horizontal);
-    resizeDocks({docks_[QStringLiteral("dockBottom")]}, {kBottomHeight}, Qt::Vertical);
+    const int bottom = height() < kLowWindow ? kBottomHeightSmall : kBottomHeight;
+    resizeDocks({docks_[QStringLiteral("dockTimeline")], docks_[QStringLiteral("dockBottom")]},
+                {kTimelineHeight, bottom}, Qt::Vertical);
 }
 
 void MainWindow::present(bool on)
@@ -261,7 +285,7 @@ void MainWindow::resetLayout()
 {
     present(false);
     restoreState(plainLayout_, kLayoutVersion);
-    operate();
+    inspect();
 }
 
 void MainWindow::restoreLayout(QSettings& settings)

@@ -12,6 +12,7 @@
 #include "app/window/plane_edits.h"
 #include "app/window/program_control.h"
 #include "app/window/scan_control.h"
+#include "app/window/timeline_control.h"
 #include "app/window/view_control.h"
 
 namespace planewright {
@@ -23,6 +24,7 @@ struct WindowControllers {
           clip(parts),
           scan(parts),
           history(parts),
+          timeline(parts, history),
           devices(parts, scan),
           edits(parts),
           measure(parts),
@@ -30,6 +32,7 @@ struct WindowControllers {
           program(parts),
           kept(parts)
     {
+        QObject::connect(&history, &HistoryControl::phaseShown, &scan, &ScanControl::setSeenPhase);
         QObject::connect(&kept, &KeptView::layersRead, &view, &ViewControl::setLayers);
     }
 
@@ -37,6 +40,7 @@ struct WindowControllers {
     ClipControl clip;
     ScanControl scan;
     HistoryControl history;
+    TimelineControl timeline;
     DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;
