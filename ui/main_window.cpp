@@ -7,6 +7,7 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
@@ -35,6 +36,20 @@ QString droppedFile(const QMimeData& data)
     const QList<QUrl> urls = data.urls();
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
 }
+
+/// A button answers Space while it has the keyboard, whatever else Space does in the view around it.
+class SpaceIsOfButtons : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override
+    {
+        if (event->type() != QEvent::ShortcutOverride || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Space)
+            return false;
+        event->accept();
+        return true;
+    }
+};
 
 }  // namespace
 
@@ -217,6 +232,7 @@ void MainWindow::makeViewButtons()
     auto* row = new QHBoxLayout(corner);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
+    auto* space = new SpaceIsOfButtons(corner);
     for (const char* name : {"actViewTop", "actViewFront", "actViewSide", "actViewIso", "actViewFit"}) {
         auto* button = new QToolButton;
         button->setDefaultAction((*actions_)[QLatin1String(name)]);
@@ -225,6 +241,7 @@ void MainWindow::makeViewButtons()
                             : QString((*actions_)[QLatin1String(name)]->text()).remove(QLatin1Char('&')));
         button->setMinimumSize(40, 28);
         button->setFocusPolicy(Qt::TabFocus);
+        button->installEventFilter(space);
         row->addWidget(button);
     }
     auto* overlay = new QVBoxLayout(view_);

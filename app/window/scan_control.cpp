@@ -317,20 +317,13 @@ void ScanControl::refreshOverlay()
     const int planned = map.plannedSteps;
     const bool looksBack = map.snapshot && !parts_.playhead.followsNewest();
     const int newest = newestStep();
-    const auto seen = [&](int last) {
-        const bool isBack = map.step < last || (looksBack && !map.finished);
-        if (!isBack && seenPhase_.isEmpty())
-            return QString();
-        const QString step = tr(", seen at step %1").arg(map.step + 1);
-        return seenPhase_.isEmpty() ? step : step + tr(" after %1").arg(seenPhase_);
-    };
+    int last = map.step;
     if (state == SessionState::Scanning || state == SessionState::Replaying || state == SessionState::Paused) {
-        content.stateText += QStringLiteral(" %1/%2").arg((looksBack ? newest : map.step) + 1).arg(planned);
-        if (looksBack)
-            content.stateText += seen(newest);
+        last = looksBack ? newest : map.step;
+        content.stateText += QStringLiteral(" %1/%2").arg(last + 1).arg(planned);
     }
     if ((state == SessionState::Review || state == SessionState::ReadOnly) && map.snapshot) {
-        const int last = newest >= 0 ? newest : map.step;
+        last = newest >= 0 ? newest : map.step;
         const bool whole = planned > 0 && last + 1 >= planned && status.lost == 0;
         if (state == SessionState::Review) {
             content.stateText = (whole ? tr("✔ Complete") : tr("◐ Partial"));
@@ -338,13 +331,17 @@ void ScanControl::refreshOverlay()
                 content.stateColour = QColor(QStringLiteral("#8a5a00"));
         }
         content.stateText += QStringLiteral(" %1/%2").arg(last + 1).arg(planned);
-        content.stateText += seen(last);
         const auto planes = static_cast<int>(map.planes.size());
         content.stateText += planes == 1 ? tr(", 1 plane") : tr(", %1 planes").arg(planes);
     }
     if (parts_.session.isMotionStopped()) {
         content.stateText += tr(", motion stopped");
         content.stateColour = QColor(QStringLiteral("#b3261e"));
+    }
+    if (map.step < last || (looksBack && !map.finished) || !seenPhase_.isEmpty()) {
+        content.stateText += tr("\nseen at step %1").arg(map.step + 1);
+        if (!seenPhase_.isEmpty())
+            content.stateText += tr(" after %1").arg(seenPhase_);
     }
     if (map.snapshot) {
         std::size_t points = 0;
@@ -391,6 +388,9 @@ void ScanControl::takeStatus(const SessionStatus& status)
     window.setStatus(QStringLiteral("stRec"), recording, QString::fromStdString(status.recording),
                      status.notOnDisk > 0);
     refreshActions();
+    // The map stays while somebody looks back, and how far the scan is does not.
+    if (!parts_.playhead.followsNewest())
+        refreshOverlay();
 }
 
 }  // namespace planewright

@@ -384,10 +384,9 @@ void TimelineControl::takeHistory()
             column.edits.push_back(tr("parameters set anew"));
         columns_.push_back(std::move(column));
     }
-    editsTaken_ = {};
+    editsTaken_.reset();
     showBookmarks();
-    takeEdits();
-    showColumns();
+    takeEdits();  // and shows them all
     showPlace();
 }
 
@@ -459,8 +458,10 @@ void TimelineControl::refreshActions()
             "actEventBack", "actEventForward", "actNextBookmark"},
            newest >= 0);
     enable({"actFirstStep", "actStepBack", "actTenBack"}, place > 0);
-    enable({"actLastStep", "actTenForward"}, place >= 0 && place < newest);
-    enable({"actStepForward"}, (place >= 0 && place < newest) || isHeldAtNewest());
+    // After a phase of a step comes the whole of it.
+    const bool goesOn = place >= 0 && (place < newest || playhead.phase());
+    enable({"actLastStep", "actTenForward"}, goesOn);
+    enable({"actStepForward"}, goesOn || isHeldAtNewest());
     enable({"actLive"}, newest >= 0 && !playhead.followsNewest());
     actions[QStringLiteral("actPlay")]->setChecked(player_.isPlaying());
     actions[QStringLiteral("actLoop")]->setChecked(playhead.loop().has_value());

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -66,7 +67,8 @@ private:
     std::vector<TimelineColumn> columns_;          ///< as the history says
     std::shared_ptr<const Snapshot> first_;        ///< of these
     std::vector<std::pair<int, QString>> faults_;  ///< that were told of while the scan went on, with their steps
-    std::pair<std::size_t, std::size_t> editsTaken_{0, 0};
+    /// How many there were, and how many of them in force.
+    std::optional<std::pair<std::size_t, std::size_t>> editsTaken_;
     std::vector<std::pair<int, QString>> edits_;  ///< with their places
     std::set<int> bookmarkedSteps_;
 };

@@ -134,7 +134,7 @@ void TimelineStrip::setColumns(std::vector<TimelineColumn> columns, int expected
 {
     columns_ = std::move(columns);
     expected_ = expected;
-    hovered_ = -1;
+    hovered_ = std::min(hovered_, static_cast<int>(columns_.size()) - 1);
     forgetPicture();
 }
 
