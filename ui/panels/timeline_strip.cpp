@@ -208,29 +208,30 @@ QSize TimelineStrip::minimumSizeHint() const
     return {labelWidth() + kFewestColumns, static_cast<int>(kTimelineLanes) * line};
 }
 
-/// Where lanes begin, and where the last ends. Bars and splits take what is more than the least.
-std::array<int, kTimelineLanes + 1> TimelineStrip::laneTops() const
+/// Bars and splits take what is more than the least.
+const TimelineStrip::Places& TimelineStrip::places() const
 {
+    if (places_)
+        return *places_;
     constexpr std::array<double, kTimelineLanes> kShares{0.0, 0.35, 0.35, 0.0, 0.3, 0.0, 0.0};
-    const double line = static_cast<double>(height()) < minimumSizeHint().height()
-                            ? static_cast<double>(height()) / kTimelineLanes
-                            : QFontMetrics(smallFont()).height();
+    const double least = QFontMetrics(smallFont()).height();
+    const double line = std::min(least, static_cast<double>(height()) / kTimelineLanes);
     const double more = std::max(0.0, height() - line * kTimelineLanes);
-    std::array<int, kTimelineLanes + 1> tops{};
+    Places places;
+    places.left = labelWidth();
     double top = 0.0;
     for (std::size_t lane = 0; lane < kTimelineLanes; ++lane) {
-        tops[lane] = static_cast<int>(std::lround(top));
+        places.tops[lane] = static_cast<int>(std::lround(top));
         top += line + kShares[lane] * more;
     }
-    tops[kTimelineLanes] = height();
-    return tops;
+    places.tops[kTimelineLanes] = height();
+    return places_.emplace(places);
 }
 
 QRect TimelineStrip::laneRect(TimelineLane lane) const
 {
-    const auto tops = laneTops();
+    const auto& [left, tops] = places();
     const auto number = static_cast<std::size_t>(lane);
-    const int left = labelWidth();
     return {left, tops[number], std::max(1, width() - left - kMargin), tops[number + 1] - tops[number]};
 }
 
@@ -567,13 +568,16 @@ void TimelineStrip::contextMenuEvent(QContextMenuEvent* event)
 void TimelineStrip::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange ||
-        event->type() == QEvent::StyleChange)
+        event->type() == QEvent::StyleChange) {
+        places_.reset();
         forgetPicture();
+    }
     QWidget::changeEvent(event);
 }
 
 void TimelineStrip::resizeEvent(QResizeEvent* event)
 {
+    places_.reset();
     forgetPicture();
     QWidget::resizeEvent(event);
 }

@@ -75,11 +75,16 @@ protected:
 private:
     enum class Drag { None, Scrub, Loop };
 
+    struct Places {
+        int left = 0;                                ///< of the columns [px]
+        std::array<int, kTimelineLanes + 1> tops{};  ///< of the lanes, and where the last ends [px]
+    };
+
     Theme theme() const;
     int count() const;
     int labelWidth() const;
     QFont smallFont() const;
-    std::array<int, kTimelineLanes + 1> laneTops() const;
+    const Places& places() const;
     void forgetPicture();
     void drawLanes(QPainter& painter) const;
     void drawLabels(QPainter& painter) const;
@@ -102,6 +107,7 @@ private:
     int hovered_ = -1;
     Drag drag_ = Drag::None;
     int dragFrom_ = 0;
+    mutable std::optional<Places> places_;  ///< nothing where they must be worked out anew
     QPixmap picture_;  ///< of all that stays while somebody looks about; null where it must be drawn anew
 };
 
