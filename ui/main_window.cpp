@@ -90,6 +90,7 @@ MainWindow::MainWindow(QWidget* parent)
     QDockWidget* timeline = addDock(QStringLiteral("dockTimeline"), tr("Timeline"), Qt::BottomDockWidgetArea);
     timeline->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
                           QDockWidget::DockWidgetVerticalTitleBar);
+    timeline->setMinimumHeight(kTimelineHeight);
     QDockWidget* details = addDock(QStringLiteral("dockBottom"), tr("Details"), Qt::BottomDockWidgetArea);
     details->setWidget(bottom_);
     splitDockWidget(timeline, details, Qt::Vertical);

@@ -308,7 +308,8 @@ void TimelineWindowTest::aRangeIsPlayedAgain()
 
     QSet<int> seen;
     int turns = 0;
-    connect(&parts_->playhead, &Playhead::placeChanged, this, [&, last = -1](int at) mutable {
+    QObject listener;
+    connect(&parts_->playhead, &Playhead::placeChanged, &listener, [&, last = -1](int at) mutable {
         seen << at;
         turns += at < last ? 1 : 0;
         last = at;
