@@ -10,6 +10,7 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
@@ -21,16 +22,20 @@ namespace planewright {
 
 namespace {
 
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr QSize kDefaultSize{1440, 900};
 constexpr QSize kMinimumSize{1024, 700};
 constexpr int kSetupWidth = 300;
 constexpr int kPlanesWidth = 420;
+constexpr int kLeastSideWidth = 240;  ///< what is at the sides can be used in the smallest window, too
+constexpr int kTimelineHeight = 132;
 constexpr int kBottomHeight = 220;
 /// The tabs at the bottom from the left, whoever comes first; others follow.
 constexpr QLatin1String kBottomOrder[]{QLatin1String("chartsPanel"), QLatin1String("slicePanel"),
                                        QLatin1String("segmentsPanel"), QLatin1String("measurePanel"),
                                        QLatin1String("logPanel")};
+constexpr int kBottomHeightSmall = 140;  ///< where the window is lower than this:
+constexpr int kLowWindow = 820;
 
 /// The one file that was dropped, where it is a file of this machine.
 QString droppedFile(const QMimeData& data)
@@ -38,6 +43,20 @@ QString droppedFile(const QMimeData& data)
     const QList<QUrl> urls = data.urls();
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
 }
+
+/// A button answers Space while it has the keyboard, whatever else Space does in the view around it.
+class SpaceIsOfButtons : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override
+    {
+        if (event->type() != QEvent::ShortcutOverride || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Space)
+            return false;
+        event->accept();
+        return true;
+    }
+};
 
 }  // namespace
 
@@ -58,7 +77,7 @@ MainWindow::MainWindow(QWidget* parent)
     resize(kDefaultSize);
     setAcceptDrops(true);
     setDockOptions(AllowTabbedDocks | AllowNestedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 
     auto* centre = new QWidget;
@@ -76,7 +95,16 @@ MainWindow::MainWindow(QWidget* parent)
 
     addDock(QStringLiteral("dockSetup"), tr("Setup"), Qt::LeftDockWidgetArea);
     addDock(QStringLiteral("dockPlanes"), tr("Planes"), Qt::RightDockWidgetArea);
-    addDock(QStringLiteral("dockBottom"), tr("Details"), Qt::BottomDockWidgetArea)->setWidget(bottom_);
+    for (QDockWidget* dock : docks_)
+        dock->setMinimumWidth(kLeastSideWidth);
+    // Its title is written beside it: it is low and wide.
+    QDockWidget* timeline = addDock(QStringLiteral("dockTimeline"), tr("Timeline"), Qt::BottomDockWidgetArea);
+    timeline->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
+                          QDockWidget::DockWidgetVerticalTitleBar);
+    timeline->setMinimumHeight(kTimelineHeight);
+    QDockWidget* details = addDock(QStringLiteral("dockBottom"), tr("Details"), Qt::BottomDockWidgetArea);
+    details->setWidget(bottom_);
+    splitDockWidget(timeline, details, Qt::Vertical);
     bottom_->setObjectName(QStringLiteral("bottomTabs"));
     bottom_->setDocumentMode(true);
 
@@ -85,7 +113,7 @@ MainWindow::MainWindow(QWidget* parent)
     makeToolBar();
     makeStatusBar();
     makeViewButtons();
-    operate();
+    inspect();
     plainLayout_ = saveState(kLayoutVersion);
     connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::openRequested);
 }
@@ -251,6 +279,7 @@ void MainWindow::makeViewButtons()
     auto* row = new QHBoxLayout(corner);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
+    auto* space = new SpaceIsOfButtons(corner);
     for (const char* name : {"actViewTop", "actViewFront", "actViewSide", "actViewIso", "actViewFit"}) {
         auto* button = new QToolButton;
         button->setDefaultAction((*actions_)[QLatin1String(name)]);
@@ -259,6 +288,7 @@ void MainWindow::makeViewButtons()
                             : QString((*actions_)[QLatin1String(name)]->text()).remove(QLatin1Char('&')));
         button->setMinimumSize(40, 28);
         button->setFocusPolicy(Qt::TabFocus);
+        button->installEventFilter(space);
         row->addWidget(button);
     }
     auto* overlay = new QVBoxLayout(view_);
@@ -286,13 +316,25 @@ void MainWindow::makeSubmenus()
 
 void MainWindow::operate()
 {
-    for (QDockWidget* dock : docks_) {
-        dock->setFloating(false);
-        dock->show();
+    arrange({QStringLiteral("dockSetup"), QStringLiteral("dockPlanes"), QStringLiteral("dockTimeline")});
+}
+
+void MainWindow::inspect()
+{
+    arrange(docks_.keys());
+}
+
+void MainWindow::arrange(const QStringList& shown)
+{
+    for (auto dock = docks_.cbegin(); dock != docks_.cend(); ++dock) {
+        dock.value()->setFloating(false);
+        dock.value()->setVisible(shown.contains(dock.key()));
     }
     resizeDocks({docks_[QStringLiteral("dockSetup")], docks_[QStringLiteral("dockPlanes")]},
                 {kSetupWidth, kPlanesWidth}, Qt::Horizontal);
-    resizeDocks({docks_[QStringLiteral("dockBottom")]}, {kBottomHeight}, Qt::Vertical);
+    const int bottom = height() < kLowWindow ? kBottomHeightSmall : kBottomHeight;
+    resizeDocks({docks_[QStringLiteral("dockTimeline")], docks_[QStringLiteral("dockBottom")]},
+                {kTimelineHeight, bottom}, Qt::Vertical);
 }
 
 void MainWindow::present(bool on)
@@ -307,7 +349,7 @@ void MainWindow::resetLayout()
 {
     present(false);
     restoreState(plainLayout_, kLayoutVersion);
-    operate();
+    inspect();
 }
 
 void MainWindow::restoreLayout(QSettings& settings)

@@ -37,7 +37,7 @@ public:
     Banner& banner() { return *banner_; }
     WelcomePage& welcome() { return *welcome_; }
 
-    /// Puts panels where they belong: "dockSetup", "dockPlanes".
+    /// Puts panels where they belong: "dockSetup", "dockPlanes", "dockTimeline".
     void setPanel(const QString& dock, QWidget* panel);
     /// A tab of the dock at the bottom, by its objectName; tabs that are known stand in their order.
     void addBottomPanel(QWidget* panel, const QString& title);
@@ -51,8 +51,9 @@ public:
 
     void setSource(const QString& source);
 
-    // Layouts.
+    // Layouts: what a scan is run with; every panel, as at the first start; the view alone.
     void operate();
+    void inspect();
     void present(bool on);
     void resetLayout();
     /// Docks and sizes of the last time; a layout of another version, or one off the screen, is left alone.
@@ -72,6 +73,7 @@ protected:
 
 private:
     QDockWidget* addDock(const QString& name, const QString& title, Qt::DockWidgetArea area);
+    void arrange(const QStringList& shown);
     void makeToolBar();
     void makeStatusBar();
     void makeViewButtons();

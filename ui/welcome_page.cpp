@@ -9,6 +9,7 @@
 #include <QFrame>
 #include <QGridLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace planewright {
@@ -50,6 +51,10 @@ QVBoxLayout* addCard(QHBoxLayout* row, const QString& title, const QString& text
     layout->addWidget(heading);
     auto* line = new QLabel(text);
     line->setWordWrap(true);
+    line->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    // A layout asks wrapped text for its height only while it has room for all of it.
+    constexpr int kMostLines = 5;
+    line->setMinimumHeight(kMostLines * line->fontMetrics().lineSpacing());
     layout->addWidget(line);
     layout->addStretch(1);
     row->addWidget(card, 1);
@@ -71,8 +76,18 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWi
 {
     setObjectName(QStringLiteral("welcome"));
     setAccessibleName(tr("Welcome"));
-    auto* page = new QVBoxLayout(this);
-    page->setContentsMargins(40, 30, 40, 24);
+    // Where the window is low, the page scrolls.
+    auto* area = new QScrollArea;
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto* content = new QWidget;
+    area->setWidget(content);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area);
+    auto* page = new QVBoxLayout(content);
+    page->setContentsMargins(40, 20, 40, 16);
     auto* title = new QLabel(tr("Watch a room grow into planes"));
     title->setFont(scaled(title->font(), 1.9));
     page->addWidget(title);
@@ -119,6 +134,9 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWi
     page->addWidget(recentTitle);
     recent_->setObjectName(QStringLiteral("welcomeRecent"));
     recent_->setAccessibleName(tr("Recent files"));
+    constexpr int kFewestRows = 2;
+    constexpr int kRow = 28;  // [px]
+    recent_->setMinimumHeight(kFewestRows * kRow);
     page->addWidget(recent_, 1);
     connect(recent_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         if (const QString file = item->data(Qt::UserRole).toString(); !file.isEmpty())

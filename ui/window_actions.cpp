@@ -3,6 +3,7 @@
 
 #include "ui/window_actions.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -83,12 +84,38 @@ constexpr std::array kRows{
 
     Row{"&Scan", "actStart", "&Start", "F5", "Start scanning"},
     Row{"&Scan", "actPause", "&Pause or continue", "F6", "Hold the scan, or go on"},
-    Row{"&Scan", "actStep", "S&ingle step", ".", "Take one more slice while the scan is held"},
+    Row{"&Scan", "actStep", "S&ingle step", "",
+        "Take one more slice while the scan is held; . does so at its newest step"},
     Row{"&Scan", "actFinish", "&Finish", "F7", "End the scan with what there is"},
     Row{"&Scan", "actStopMotion", "Stop &motion", "Ctrl+.", "Stop the scanner now, in whatever state"},
     Row{"&Scan", "", "", "", "", kSeparator},
     Row{"&Scan", "actRecord", "&Record scans", "", "Write every scan to the recording folder", kCheckable},
     Row{"&Scan", "actRerun", "Re-r&un extraction", "Ctrl+R", "Extract the whole scan with the present parameters"},
+
+    Row{"&Timeline", "actPlay", "&Play", "Space", "Play the steps of the scan again, or pause", kCheckable},
+    Row{"&Timeline", "actStepBack", "Step &back", ",; Left", "Look at the step before"},
+    Row{"&Timeline", "actStepForward", "Step &forward", ".; Right",
+        "Look at the step after; take one more slice while the scan is held at its newest"},
+    Row{"&Timeline", "actTenBack", "&Ten steps back", "Ctrl+Left", "Look ten steps back"},
+    Row{"&Timeline", "actTenForward", "Te&n steps forward", "Ctrl+Right", "Look ten steps on"},
+    Row{"&Timeline", "actFirstStep", "F&irst step", "Home", "Look at the first step"},
+    Row{"&Timeline", "actLastStep", "L&ast step", "End", "Look at the last step that there is"},
+    Row{"&Timeline", "actLive", "&Live", "L", "Follow the newest step"},
+    Row{"&Timeline", "", "", "", "", kSeparator},
+    Row{"&Timeline", "actEventBack", "&Event back", "Shift+,", "Go back to the last event of the kind in the timeline"},
+    Row{"&Timeline", "actEventForward", "Event forwar&d", "Shift+.",
+        "Go to the next event of the kind in the timeline"},
+    Row{"&Timeline", "actPhaseBack", "P&hase back", "Alt+,", "Look at the step one phase earlier"},
+    Row{"&Timeline", "actPhaseForward", "Pha&se forward", "Alt+.", "Look at the step one phase later"},
+    Row{"&Timeline", "", "", "", "", kSeparator},
+    Row{"&Timeline", "actLoop", "L&oop", "", "Play a range again and again", kCheckable},
+    Row{"&Timeline", "actLoopIn", "Loop f&rom here", "[", "Begin the range that is played again and again here"},
+    Row{"&Timeline", "actLoopOut", "Loop &up to here", "]", "End the range that is played again and again here"},
+    Row{"&Timeline", "actSlower", "Slo&wer", "-", "Play the steps more slowly"},
+    Row{"&Timeline", "actFaster", "Faster (&+)", "=", "Play the steps faster"},
+    Row{"&Timeline", "", "", "", "", kSeparator},
+    Row{"&Timeline", "actBookmark", "Book&mark", "M", "Mark the step that is looked at, or unmark it"},
+    Row{"&Timeline", "actNextBookmark", "Ne&xt bookmark", "N", "Go to the next bookmark, after the last to the first"},
 
     Row{"&Planes", "actRename", "&Rename", "F2", "Name the selected plane"},
     Row{"&Planes", "class", "&Class", "", "", kSubmenu},
@@ -116,7 +143,8 @@ constexpr std::array kRows{
     Row{"&Window", "panels", "&Panels", "", "", kSubmenu},
     Row{"&Window", "actShowCharts", "&Charts", "", "Numbers of every step as charts"},
     Row{"&Window", "actShowSlice", "&Slice 2D", "", "The slice of this step and what became of its points"},
-    Row{"&Window", "actLayoutOperate", "&Operate layout", "Ctrl+Alt+1", "Setup, 3D view and planes"},
+    Row{"&Window", "actLayoutOperate", "&Operate layout", "Ctrl+Alt+1", "Setup, 3D view, planes and timeline"},
+    Row{"&Window", "actLayoutInspect", "&Inspect layout", "Ctrl+Alt+2", "Every panel: how the scan came to its planes"},
     Row{"&Window", "actLayoutPresent", "&Present layout", "Ctrl+Alt+3", "The 3D view alone"},
     Row{"&Window", "actLayoutCompare", "&Compare layout", "Ctrl+Alt+4", "Two views and the table of differences"},
     Row{"&Window", "actResetLayout", "&Reset layout", "", "Put every panel back where it was"},
@@ -129,14 +157,34 @@ constexpr std::array kRows{
     Row{"&Help", "actAbout", "&About Planewright", "", "Version and licences"},
 };
 
-/// A key without Ctrl, Alt or Meta is a letter to whoever types.
+/// A key without Ctrl, Alt or Meta is a letter, or a way about, to whoever types.
 bool isSingleKey(const QKeySequence& keys)
 {
     if (keys.count() != 1)
         return false;
     const QKeyCombination key = keys[0];
     const bool bare = !(key.keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    return bare && (key.key() < Qt::Key_Escape || key.key() == Qt::Key_Delete || key.key() == Qt::Key_Escape);
+    constexpr std::array kOfFields{Qt::Key_Escape, Qt::Key_Delete, Qt::Key_Home,
+                                   Qt::Key_End,    Qt::Key_Left,   Qt::Key_Right};
+    return bare &&
+           (key.key() < Qt::Key_Escape || std::find(kOfFields.begin(), kOfFields.end(), key.key()) != kOfFields.end());
+}
+
+/// "; " stands between two.
+QList<QKeySequence> keysOf(const char* text)
+{
+    QList<QKeySequence> keys;
+    for (const QString& each : QString::fromLatin1(text).split(QStringLiteral("; "), Qt::SkipEmptyParts))
+        keys.push_back(QKeySequence(each));
+    return keys;
+}
+
+QString tipOf(const QString& tip, const QList<QKeySequence>& keys)
+{
+    QStringList words;
+    for (const QKeySequence& each : keys)
+        words.push_back(each.toString());
+    return words.isEmpty() ? tip : tip + QStringLiteral(" (%1)").arg(words.join(QStringLiteral(" or ")));
 }
 
 }  // namespace
@@ -156,14 +204,12 @@ WindowActions::WindowActions(QWidget* window, QWidget* view) : QObject(window), 
         action->setObjectName(QLatin1String(row.name));
         action->setCheckable(row.kind == kCheckable);
         action->setStatusTip(tr(row.tip));
-        const QKeySequence keys(QLatin1String(row.shortcut));
-        if (!keys.isEmpty())
-            action->setShortcut(keys);
+        const QList<QKeySequence> keys = keysOf(row.shortcut);
+        action->setShortcuts(keys);
+        action->setToolTip(tipOf(tr(row.tip), keys));
         if (action->objectName() == QLatin1String("actStopMotion"))
-            action->setShortcuts({keys, QKeySequence(Qt::Key_Pause)});
-        const QString shortcut = keys.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(keys.toString());
-        action->setToolTip(tr(row.tip) + shortcut);
-        if (isSingleKey(keys)) {
+            action->setShortcuts({keys.front(), QKeySequence(Qt::Key_Pause)});
+        if (!keys.isEmpty() && isSingleKey(keys.front())) {
             action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
             view->addAction(action);
         } else {
@@ -179,6 +225,14 @@ QAction* WindowActions::operator[](const QString& name) const
     QAction* action = byName_.value(name);
     assert(action != nullptr);
     return action;
+}
+
+void WindowActions::letKeysWorkIn(QWidget& widget)
+{
+    for (QAction* action : all_) {
+        if (action->shortcutContext() == Qt::WidgetWithChildrenShortcut)
+            widget.addAction(action);
+    }
 }
 
 void WindowActions::fillMenuBar(QMenuBar& bar)

@@ -16,7 +16,7 @@ namespace planewright {
 /// All actions of the window, made from one table: text, menu, shortcut and what they do to the eye.
 ///
 /// Menus, tool bar, the list of shortcuts and the command palette are all made from these. Shortcuts of a single letter
-/// work only while the 3D view has the focus, so that they do not take letters from text fields.
+/// work only while the 3D view or the timeline has the focus, so that they do not take letters from text fields.
 class WindowActions : public QObject {
     Q_OBJECT
 
@@ -31,6 +31,9 @@ public:
 
     /// Fills a menu bar; `submenus` are placed where the table names them.
     void fillMenuBar(QMenuBar& bar);
+
+    /// Lets shortcuts of single letters work while this widget has the focus, as well as in the view.
+    void letKeysWorkIn(QWidget& widget);
 
     /// A menu that is filled by others: "recent", "colourBy", "theme", "class".
     QMenu* submenu(const QString& name) const { return submenus_[name]; }

@@ -3,6 +3,7 @@
 
 #include "app/window/history_control.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace planewright {
@@ -12,7 +13,48 @@ namespace {
 /// A playhead that is drawn along the timeline rests for less than this between two steps.
 constexpr std::chrono::milliseconds kPlayheadRest{60};
 
+/// A phase as the state chip names it.
+QString chipWordsOf(const PhaseState& state)
+{
+    const QString pass = QString::fromUtf8(state.pass.data(), static_cast<qsizetype>(state.pass.size()));
+    switch (state.phase) {
+        case Phase::Extract:
+            return HistoryControl::tr("extracting segments");
+        case Phase::Assign:
+            return HistoryControl::tr("assigning to planes");
+        case Phase::Cluster:
+            return HistoryControl::tr("clustering");
+        case Phase::Fit:
+            return HistoryControl::tr("fitting planes");
+        case Phase::SplitMerge:
+            return HistoryControl::tr("splitting and merging");
+        case Phase::Remaining:
+            return HistoryControl::tr("fitting what remained");
+        case Phase::Finish:
+            break;
+    }
+    if (pass.isEmpty())
+        return HistoryControl::tr("the last pass");
+    return HistoryControl::tr("the last pass: %1").arg(QString(pass).replace(QLatin1Char('_'), QLatin1Char(' ')));
+}
+
 }  // namespace
+
+Result<void> lookAtStep(WindowParts& parts, int step)
+{
+    const QString refusal = parts.session.refusal(SessionRequest::GoToStep);
+    if (!refusal.isEmpty())
+        return fail(ErrorCode::Usage, refusal.toStdString());
+    Playhead& playhead = parts.playhead;
+    const auto& history = playhead.history();
+    const bool isNewest = std::none_of(history.begin(), history.end(),
+                                       [step](const auto& snapshot) { return snapshot->report.step > step; });
+    if (isNewest)
+        playhead.follow();
+    else
+        playhead.goTo(playhead.placeOf(step));
+    return {};
+}
 
 HistoryControl::HistoryControl(WindowParts& parts) : QObject(&parts), parts_(parts)
 {
@@ -59,7 +101,9 @@ void HistoryControl::takePhase()
 {
     const std::optional<std::size_t> phase = parts_.playhead.phase();
     const auto step = phase ? explained() : nullptr;
-    parts_.shownPhase = step && *phase < step->phases.size() ? step->phases[*phase].snapshot : nullptr;
+    const PhaseState* state = step && *phase < step->phases.size() ? &step->phases[*phase] : nullptr;
+    parts_.shownPhase = state != nullptr ? state->snapshot : nullptr;
+    emit phaseShown(state != nullptr ? chipWordsOf(*state) : QString());
     parts_.showMap();
 }
 

@@ -12,6 +12,10 @@
 
 namespace planewright {
 
+/// Looks at the scan as it was after a step, or the last one before it, and at all of it from its last step on. Usage
+/// error where there is none.
+Result<void> lookAtStep(WindowParts& parts, int step);
+
 /// Shows in every view the moment of the scan that the playhead is at, and tells how its step went.
 class HistoryControl : public QObject {
     Q_OBJECT
@@ -27,6 +31,8 @@ public:
     void goByPhase(int by);
 
 signals:
+    /// The phase that is looked at, in words; empty for the whole step.
+    void phaseShown(const QString& phase);
     /// The playhead has come to rest at a step that explained() tells of, or at none.
     void rested();
 

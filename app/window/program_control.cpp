@@ -62,6 +62,10 @@ void ProgramControl::connectLayouts()
         window.present(false);
         window.operate();
     });
+    connect(actions[QStringLiteral("actLayoutInspect")], &QAction::triggered, &window, [&window] {
+        window.present(false);
+        window.inspect();
+    });
     connect(actions[QStringLiteral("actLayoutPresent")], &QAction::triggered, &window, [&window] {
         window.present(true);
         window.view().setFocus();
@@ -89,15 +93,17 @@ void ProgramControl::startTour()
 {
     tourIsDue_ = false;
     parts_.settings.setValue(QStringLiteral("tour/seen"), true);
-    tour_->start({{&parts_.window->view(),
-                   tr("Line segments appear slice by slice, and planes grow from the fifth slice on. Drag to look "
-                      "around, click a plane to select it.")},
-                  {parts_.planesPanel, tr("Every plane with its numbers: sort, filter, name, hide, merge. What is "
-                                          "selected here is selected in the view.")},
-                  {parts_.window->findChild<QWidget*>(QStringLiteral("setupTabs")),
-                   tr("Where slices come from, what the method is told, and what the view shows.")},
-                  {parts_.window->findChild<QWidget*>(QStringLiteral("exportButton")),
-                   tr("Planes as CSV, JSON, PLY, OBJ or DXF, points, segments and a floor plan.")}});
+    tour_->start(
+        {{&parts_.window->view(),
+          tr("Line segments appear slice by slice, and planes grow from the fifth slice on. Drag to look "
+             "around, click a plane to select it.")},
+         {parts_.window->findChild<QWidget*>(QStringLiteral("timelinePanel")),
+          tr("Every step of the scan: drag to look back, while it goes on. Space plays it again; dots are fits "
+             "of planes, diamonds splits and merges.")},
+         {parts_.planesPanel, tr("Every plane with its numbers: sort, filter, name, hide, merge. What is "
+                                 "selected here is selected in the view.")},
+         {parts_.window->findChild<QWidget*>(QStringLiteral("exportButton")),
+          tr("Planes as CSV, JSON, PLY, OBJ or DXF, points, segments and a floor plan.")}});
 }
 
 QString ProgramControl::versions() const

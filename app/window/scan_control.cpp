@@ -3,6 +3,7 @@
 
 #include "app/window/scan_control.h"
 
+#include <algorithm>
 #include <array>
 
 #include <QApplication>
@@ -10,8 +11,6 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QStorageInfo>
-
-#include "core/formats/recording_csv.h"
 
 namespace planewright {
 
@@ -291,6 +290,21 @@ void ScanControl::refreshActions()
     pause->setIconText(continues ? tr("▶ Continue") : tr("❚❚ Pause"));
 }
 
+void ScanControl::setSeenPhase(const QString& phase)
+{
+    seenPhase_ = phase;
+    refreshOverlay();
+}
+
+/// The step of the newest slice that is worked in; −1 without one.
+int ScanControl::newestStep() const
+{
+    const std::vector<ExtractedStep>& steps = parts_.session.history();
+    const auto newest =
+        std::find_if(steps.rbegin(), steps.rend(), [](const ExtractedStep& step) { return step.slice; });
+    return newest == steps.rend() ? -1 : (*newest).slice->step;
+}
+
 void ScanControl::refreshOverlay()
 {
     const SessionState state = parts_.session.state();
@@ -301,11 +315,15 @@ void ScanControl::refreshOverlay()
     content.stateColour = QColor(QLatin1String(chip.colour));
     content.stateText = tr(chip.text);
     const int planned = map.plannedSteps;
-    const auto steps = [&] { return QStringLiteral(" %1/%2").arg(map.step + 1).arg(planned); };
-    if (state == SessionState::Scanning || state == SessionState::Replaying || state == SessionState::Paused)
-        content.stateText += steps();
+    const bool looksBack = map.snapshot && !parts_.playhead.followsNewest();
+    const int newest = newestStep();
+    int last = map.step;
+    if (state == SessionState::Scanning || state == SessionState::Replaying || state == SessionState::Paused) {
+        last = looksBack ? newest : map.step;
+        content.stateText += QStringLiteral(" %1/%2").arg(last + 1).arg(planned);
+    }
     if ((state == SessionState::Review || state == SessionState::ReadOnly) && map.snapshot) {
-        const int last = status.extracted > 0 ? parts_.session.mapAt(planned > 0 ? planned : kMaxStep)->step : map.step;
+        last = newest >= 0 ? newest : map.step;
         const bool whole = planned > 0 && last + 1 >= planned && status.lost == 0;
         if (state == SessionState::Review) {
             content.stateText = (whole ? tr("✔ Complete") : tr("◐ Partial"));
@@ -313,14 +331,17 @@ void ScanControl::refreshOverlay()
                 content.stateColour = QColor(QStringLiteral("#8a5a00"));
         }
         content.stateText += QStringLiteral(" %1/%2").arg(last + 1).arg(planned);
-        if (map.step < last)
-            content.stateText += tr(", seen at step %1").arg(map.step + 1);
         const auto planes = static_cast<int>(map.planes.size());
         content.stateText += planes == 1 ? tr(", 1 plane") : tr(", %1 planes").arg(planes);
     }
     if (parts_.session.isMotionStopped()) {
         content.stateText += tr(", motion stopped");
         content.stateColour = QColor(QStringLiteral("#b3261e"));
+    }
+    if (map.step < last || (looksBack && !map.finished) || !seenPhase_.isEmpty()) {
+        content.stateText += tr("\nseen at step %1").arg(map.step + 1);
+        if (!seenPhase_.isEmpty())
+            content.stateText += tr(" after %1").arg(seenPhase_);
     }
     if (map.snapshot) {
         std::size_t points = 0;
@@ -367,6 +388,9 @@ void ScanControl::takeStatus(const SessionStatus& status)
     window.setStatus(QStringLiteral("stRec"), recording, QString::fromStdString(status.recording),
                      status.notOnDisk > 0);
     refreshActions();
+    // The map stays while somebody looks back, and how far the scan is does not.
+    if (!parts_.playhead.followsNewest())
+        refreshOverlay();
 }
 
 }  // namespace planewright

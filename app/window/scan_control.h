@@ -25,6 +25,9 @@ public:
     /// Scans the room of an address with this scanner.
     void openRoom(const SimulatedScanner& simulation, const QString& address) { openWith(simulation, address, true); }
 
+    /// Names the phase of a step that is looked at; empty for none.
+    void setSeenPhase(const QString& phase);
+
 private:
     void openWith(const SimulatedScanner& simulation, const QString& fileOrAddress, bool starts);
     void start();
@@ -37,12 +40,14 @@ private:
     void takeState(SessionState state);
     void takeStatus(const SessionStatus& status);
     void refreshActions();
+    int newestStep() const;
     void refreshOverlay();
     void addRecent(const QString& file);
     void showRecent();
 
     WindowParts& parts_;
     bool startsWhenReady_ = false;
+    QString seenPhase_;
 };
 
 }  // namespace planewright

@@ -12,6 +12,7 @@
 #include <QJsonDocument>
 #include <QMetaProperty>
 
+#include "app/window/history_control.h"
 #include "app/window/screenshot.h"
 #include "app/window/view_text.h"
 #include "app/window/waiting.h"
@@ -100,7 +101,7 @@ void ScriptRunner::settle()
 {
     // What an action leads to comes by events as well: layouts above all.
     QCoreApplication::processEvents();
-    waitUntil([this] { return !parts_.isAtWork() && parts_.shown->snapshot == parts_.session.map()->snapshot; },
+    waitUntil([this] { return !parts_.isAtWork() && isShown(parts_); },
               kSettleTime);
 }
 
@@ -124,8 +125,7 @@ Result<void> ScriptRunner::goTo(const QJsonObject& line)
     const QJsonValue step = line.value(QLatin1String("step"));
     if (!step.isDouble())
         return wrong(QStringLiteral("goto needs a number as \"step\""));
-    auto gone = parts_.session.goToStep(step.toInt());
-    if (!gone)
+    if (auto gone = lookAtStep(parts_, step.toInt()); !gone)
         return gone;
     waitUntil([&] { return parts_.session.map()->step <= step.toInt(); }, kSettleTime);
     settle();

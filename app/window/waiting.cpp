@@ -26,6 +26,11 @@ bool waitUntil(const std::function<bool()>& holds, std::chrono::milliseconds tim
     return holds();
 }
 
+bool isShown(const WindowParts& parts)
+{
+    return parts.shown->snapshot == (parts.shownPhase ? parts.shownPhase : parts.session.map()->snapshot);
+}
+
 Result<void> waitForRest(WindowParts& parts, std::chrono::milliseconds time)
 {
     const bool rested = waitUntil(
@@ -34,8 +39,7 @@ Result<void> waitForRest(WindowParts& parts, std::chrono::milliseconds time)
             const bool rests = state == SessionState::Empty || state == SessionState::Ready ||
                                state == SessionState::Review || state == SessionState::ReadOnly ||
                                state == SessionState::Paused;
-            const std::shared_ptr<const SessionMap> map = parts.session.map();
-            return parts.fault || (rests && !parts.isAtWork() && parts.shown->snapshot == map->snapshot);
+            return parts.fault || (rests && !parts.isAtWork() && isShown(parts));
         },
         time);
     if (parts.fault)

@@ -15,6 +15,7 @@
 #include "app/window/program_control.h"
 #include "app/window/scan_control.h"
 #include "app/window/slice_control.h"
+#include "app/window/timeline_control.h"
 #include "app/window/view_control.h"
 
 namespace planewright {
@@ -29,6 +30,7 @@ struct WindowControllers {
           charts(parts),
           slice(parts),
           compare(parts, scan, follower),
+          timeline(parts, history),
           devices(parts, scan),
           edits(parts),
           measure(parts),
@@ -36,6 +38,7 @@ struct WindowControllers {
           program(parts),
           kept(parts)
     {
+        QObject::connect(&history, &HistoryControl::phaseShown, &scan, &ScanControl::setSeenPhase);
         QObject::connect(&kept, &KeptView::layersRead, &view, &ViewControl::setLayers);
     }
 
@@ -46,6 +49,7 @@ struct WindowControllers {
     ChartsControl charts;
     SliceControl slice;
     CompareControl compare;
+    TimelineControl timeline;
     DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;

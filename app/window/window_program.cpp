@@ -89,7 +89,7 @@ int perform(const WindowOptions& options, WindowParts& parts, ScanControl& scan)
     if (const auto rested = waitForRest(parts, kLongestScan); !rested)
         return tell(rested.error());
     if (options.step >= 0) {
-        if (const auto gone = parts.session.goToStep(options.step); !gone)
+        if (const auto gone = lookAtStep(parts, options.step); !gone)
             return tell(gone.error());
         if (const auto rested = waitForRest(parts, kLongestScan); !rested)
             return tell(rested.error());

@@ -9,6 +9,7 @@
 #include <QDBusPendingReply>
 #include <QGuiApplication>
 
+#include "ui/theme/motion.h"
 #include "ui/theme/theme.h"
 
 namespace planewright {
@@ -20,6 +21,7 @@ const QString kPath = QStringLiteral("/org/freedesktop/portal/desktop");
 const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString kGroup = QStringLiteral("org.freedesktop.appearance");
 const QString kKey = QStringLiteral("color-scheme");
+const QString kMotionKey = QStringLiteral("reduced-motion");
 
 /// The number in an answer; Read wraps it in two variants.
 unsigned int numberIn(QVariant value)
@@ -60,16 +62,22 @@ Theme ThemeFollower::theme() const
 
 void ThemeFollower::askDesktop()
 {
+    ask(kKey);
+    ask(kMotionKey);
+}
+
+void ThemeFollower::ask(const QString& key)
+{
     const QDBusConnection bus = QDBusConnection::sessionBus();
     if (!bus.isConnected())
         return;
     QDBusMessage question = QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
-    question.setArguments({kGroup, kKey});
+    question.setArguments({kGroup, key});
     auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(question), this);
-    connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher] {
+    connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher, key] {
         const QDBusPendingReply<QDBusVariant> reply = *watcher;
         if (reply.isValid())
-            setDesktop(preferred(numberIn(reply.value().variant())));
+            takeSetting(kGroup, key, reply.value());
         watcher->deleteLater();
     });
 }
@@ -87,6 +95,8 @@ void ThemeFollower::takeSetting(const QString& group, const QString& key, const 
 {
     if (group == kGroup && key == kKey)
         setDesktop(preferred(numberIn(value.variant())));
+    if (group == kGroup && key == kMotionKey)
+        setMotionReduced(numberIn(value.variant()) == 1);
 }
 
 void ThemeFollower::setDesktop(std::optional<Theme> theme)

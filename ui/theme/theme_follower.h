@@ -16,7 +16,8 @@ namespace planewright {
 /// Knows which theme the window is to have: the one chosen, or that of the desktop.
 ///
 /// What the desktop prefers is asked of its settings portal (org.freedesktop.appearance, color-scheme), as Qt does not
-/// tell before 6.5; where there is none, the palette that Qt came up with decides.
+/// tell before 6.5; where there is none, the palette that Qt came up with decides. The portal also knows whether motion
+/// is to be reduced (reduced-motion).
 class ThemeFollower : public QObject {
     Q_OBJECT
 
@@ -41,6 +42,7 @@ public slots:
     void takeSetting(const QString& group, const QString& key, const QDBusVariant& value);
 
 private:
+    void ask(const QString& key);
     void setDesktop(std::optional<Theme> theme);
 
     ThemeChoice choice_ = ThemeChoice::System;

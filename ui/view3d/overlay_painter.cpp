@@ -125,11 +125,16 @@ void paintState(QPainter& painter, const MapScene& scene, const OverlayContent& 
     const ThemeColours& colours = themeColours(scene.theme());
     int top = kMargin;
     if (!content.stateText.isEmpty()) {
-        const QRect chip(kMargin, top, metrics.horizontalAdvance(content.stateText) + 4 * kPadding,
-                         metrics.height() + 2 * kPadding);
+        const QStringList lines = content.stateText.split(QLatin1Char('\n'));
+        int widest = 0;
+        for (const QString& line : lines)
+            widest = std::max(widest, metrics.horizontalAdvance(line));
+        const QRect chip(kMargin, top, widest + 4 * kPadding,
+                         static_cast<int>(lines.size()) * metrics.height() + 2 * kPadding);
         paintPlate(painter, chip, content.stateColour, 255);
         painter.setPen(Qt::white);
-        painter.drawText(chip, Qt::AlignCenter, content.stateText);
+        painter.drawText(chip.adjusted(2 * kPadding, 0, -2 * kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                         content.stateText);
         top = chip.bottom() + 5;
     }
     if (content.facts.isEmpty())

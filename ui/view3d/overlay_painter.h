@@ -15,7 +15,7 @@ namespace planewright {
 
 /// What is written over the scene, beside what the scene itself says.
 struct OverlayContent {
-    QString stateText;   ///< of the session, with its sign; empty for none
+    QString stateText;   ///< of the session, with its sign, in lines; empty for none
     QColor stateColour;  ///< of the chip
     QStringList facts;   ///< lines below the chip
     QString hint;        ///< in the middle, where there is nothing to see

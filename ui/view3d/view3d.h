@@ -49,6 +49,7 @@ public:
     void setMeasurements(const std::vector<MeasuredLine>& lines);
     void setClipBox(const std::optional<Eigen::AlignedBox3d>& box);
     void setOverlay(const OverlayContent& content);
+    const OverlayContent& overlay() const { return overlay_; }
     void setCamera(const ViewCamera& camera);
     const ViewCamera& camera() const { return scene_.camera(); }
 

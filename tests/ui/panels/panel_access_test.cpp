@@ -13,6 +13,7 @@
 
 #include "tests/test_program.h"
 #include "tests/ui/made_map.h"
+#include "tests/ui/made_timeline.h"
 #include "ui/panels/filtered_table.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/log_panel.h"
@@ -43,6 +44,7 @@ private:
     void addPanels();
 
     std::vector<std::unique_ptr<QObject>> models_;
+    MadeTimeline timeline_;
     std::vector<std::pair<QWidget*, int>> panels_;  // with the width of its dock [px]
 };
 
@@ -111,8 +113,12 @@ void PanelAccessTest::initTestCase()
                {new LayersPanel, 300},
                {new SourcePanel, 300},
                {recording, 300}};
+    timeline_.panel->setColumns(madeColumns(137, true), 137, true);
+    constexpr int kTimelineInSmallWindow = 750;
+    panels_.emplace_back(timeline_.panel, kTimelineInSmallWindow);
     for (const auto& [panel, width] : panels_) {
-        models_.emplace_back(panel);
+        if (panel != timeline_.panel)
+            models_.emplace_back(panel);
         panel->resize(width, 400);
         panel->show();
     }

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/test_program.h"
+#include "ui/theme/motion.h"
 #include "ui/theme/theme.h"
 
 namespace planewright {
@@ -21,6 +22,7 @@ private slots:
     void theDesktopIsFollowed();
     void aChoiceWinsOverTheDesktop();
     void otherSettingsAreNoBusinessOfOurs();
+    void theDesktopMayAskForLessMotion();
     void withoutABusNothingHappens();
 };
 
@@ -87,6 +89,22 @@ void ThemeFollowerTest::otherSettingsAreNoBusinessOfOurs()
     follower.takeSetting(QStringLiteral("org.gnome.desktop"), QStringLiteral("color-scheme"), QDBusVariant(1U));
 
     QCOMPARE(follower.theme(), Theme::Light);
+}
+
+void ThemeFollowerTest::theDesktopMayAskForLessMotion()
+{
+    ThemeFollower follower;
+    const auto hear = [&](unsigned int value) {
+        follower.takeSetting(QStringLiteral("org.freedesktop.appearance"), QStringLiteral("reduced-motion"),
+                             QDBusVariant(value));
+    };
+
+    hear(1);
+    const bool reduced = isMotionReduced();
+    hear(0);
+
+    QVERIFY(reduced);
+    QVERIFY(!isMotionReduced());
 }
 
 void ThemeFollowerTest::withoutABusNothingHappens()
