@@ -18,7 +18,7 @@ namespace planewright {
 
 namespace {
 
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr QSize kDefaultSize{1440, 900};
 constexpr QSize kMinimumSize{1024, 700};
 constexpr int kSetupWidth = 300;
@@ -65,6 +65,7 @@ MainWindow::MainWindow(QWidget* parent)
 
     addDock(QStringLiteral("dockSetup"), tr("Setup"), Qt::LeftDockWidgetArea);
     addDock(QStringLiteral("dockPlanes"), tr("Planes"), Qt::RightDockWidgetArea);
+    addDock(QStringLiteral("dockInspector"), tr("Step inspector"), Qt::RightDockWidgetArea);
     addDock(QStringLiteral("dockBottom"), tr("Details"), Qt::BottomDockWidgetArea)->setWidget(bottom_);
     bottom_->setObjectName(QStringLiteral("bottomTabs"));
     bottom_->setDocumentMode(true);
@@ -244,9 +245,26 @@ void MainWindow::operate()
         dock->setFloating(false);
         dock->show();
     }
+    docks_[QStringLiteral("dockInspector")]->hide();
     resizeDocks({docks_[QStringLiteral("dockSetup")], docks_[QStringLiteral("dockPlanes")]},
                 {kSetupWidth, kPlanesWidth}, Qt::Horizontal);
     resizeDocks({docks_[QStringLiteral("dockBottom")]}, {kBottomHeight}, Qt::Vertical);
+}
+
+void MainWindow::inspect()
+{
+    operate();
+    QDockWidget* planes = docks_[QStringLiteral("dockPlanes")];
+    QDockWidget* inspector = docks_[QStringLiteral("dockInspector")];
+    inspector->show();
+    resizeDocks({planes, inspector}, {2, 3}, Qt::Vertical);
+}
+
+void MainWindow::showInspector()
+{
+    QDockWidget* inspector = docks_[QStringLiteral("dockInspector")];
+    inspector->show();
+    inspector->raise();
 }
 
 void MainWindow::present(bool on)

@@ -32,11 +32,12 @@ public:
     Banner& banner() { return *banner_; }
     WelcomePage& welcome() { return *welcome_; }
 
-    /// Puts panels where they belong: "dockSetup", "dockPlanes".
+    /// Puts panels where they belong: "dockSetup", "dockPlanes", "dockInspector".
     void setPanel(const QString& dock, QWidget* panel);
     /// A tab of the dock at the bottom, by its objectName.
     void addBottomPanel(QWidget* panel, const QString& title);
     void showBottomPanel(const QString& name);
+    void showInspector();
 
     void showWelcome(bool shown);
     bool showsWelcome() const;
@@ -48,6 +49,7 @@ public:
 
     // Layouts.
     void operate();
+    void inspect();
     void present(bool on);
     void resetLayout();
     /// Docks and sizes of the last time; a layout of another version, or one off the screen, is left alone.

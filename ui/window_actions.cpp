@@ -99,6 +99,8 @@ constexpr std::array kRows{
     Row{"&Planes", "actSplit", "S&plit again", "Ctrl+T", "Take the selected plane apart"},
     Row{"&Planes", "actLock", "&Lock", "Ctrl+L", "Keep edits away from the selected planes"},
     Row{"&Planes", "actDelete", "&Delete", "Del", "Take the selected planes out of the map"},
+    Row{"&Planes", "", "", "", "", kSeparator},
+    Row{"&Planes", "actWhyNot", "Wh&y not?…", "Y", "Ask why two planes are not one, or a segment is not in a plane"},
 
     Row{"&Tools", "actMeasureDistance", "Measure &distance", "D", "Distance between two points", kCheckable},
     Row{"&Tools", "actMeasurePointPlane", "Measure &point to plane", "Shift+D", "Distance of a point from a plane",
@@ -110,6 +112,7 @@ constexpr std::array kRows{
 
     Row{"&Window", "panels", "&Panels", "", "", kSubmenu},
     Row{"&Window", "actLayoutOperate", "&Operate layout", "Ctrl+Alt+1", "Setup, 3D view and planes"},
+    Row{"&Window", "actLayoutInspect", "&Inspect layout", "Ctrl+Alt+2", "The step inspector beside the rest"},
     Row{"&Window", "actLayoutPresent", "&Present layout", "Ctrl+Alt+3", "The 3D view alone"},
     Row{"&Window", "actResetLayout", "&Reset layout", "", "Put every panel back where it was"},
 

@@ -62,6 +62,10 @@ void ProgramControl::connectLayouts()
         window.present(false);
         window.operate();
     });
+    connect(actions[QStringLiteral("actLayoutInspect")], &QAction::triggered, &window, [&window] {
+        window.present(false);
+        window.inspect();
+    });
     connect(actions[QStringLiteral("actLayoutPresent")], &QAction::triggered, &window, [&window] {
         window.present(true);
         window.view().setFocus();

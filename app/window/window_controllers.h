@@ -7,7 +7,9 @@
 #include "app/window/device_control.h"
 #include "app/window/file_control.h"
 #include "app/window/history_control.h"
+#include "app/window/inspector_control.h"
 #include "app/window/kept_view.h"
+#include "app/window/lineage_control.h"
 #include "app/window/measure_control.h"
 #include "app/window/plane_edits.h"
 #include "app/window/program_control.h"
@@ -23,6 +25,8 @@ struct WindowControllers {
           clip(parts),
           scan(parts),
           history(parts),
+          inspector(parts, history),
+          lineage(parts, inspector.tabs()),
           devices(parts, scan),
           edits(parts),
           measure(parts),
@@ -37,6 +41,8 @@ struct WindowControllers {
     ClipControl clip;
     ScanControl scan;
     HistoryControl history;
+    InspectorControl inspector;
+    LineageControl lineage;
     DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ui/panels/lineage_panel.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace planewright {
+
+namespace {
+constexpr int kLifeRowHeight = 28;  // [px]
+}
+
+LineagePanel::LineagePanel(QWidget* parent)
+    : QWidget(parent),
+      view_(new LineageView),
+      table_(new QTableView),
+      stack_(new QStackedWidget(this)),
+      instead_(new QLabel(tr("Select a plane to see where it comes from and what becomes of it."))),
+      copyAction_(new QAction(tr("Copy rows\tCtrl+C"), this))
+{
+    setObjectName(QStringLiteral("lineagePanel"));
+    instead_->setAlignment(Qt::AlignCenter);
+    instead_->setWordWrap(true);
+    instead_->setObjectName(QStringLiteral("lineageEmpty"));
+    auto* both = new QSplitter(Qt::Vertical);
+    both->setObjectName(QStringLiteral("lineageSplitter"));
+    both->setChildrenCollapsible(false);
+    both->addWidget(view_);
+    makeTable();
+    both->addWidget(table_);
+    both->setStretchFactor(0, 3);
+    both->setStretchFactor(1, 2);
+    stack_->addWidget(instead_);
+    stack_->addWidget(both);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(stack_);
+    setFocusProxy(view_);
+    connect(view_, &LineageView::planeChosen, this, [this](PlaneId plane, int step) {
+        chooseRow(std::nullopt);
+        emit planeChosen(plane, step);
+    });
+    connect(view_, &LineageView::eventChosen, this, &LineagePanel::choose);
+}
+
+void LineagePanel::makeTable()
+{
+    table_->setObjectName(QStringLiteral("lifeEvents"));
+    table_->setAccessibleName(tr("Events"));
+    table_->setModel(&model_);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setTabKeyNavigation(false);
+    table_->setShowGrid(false);
+    table_->setMinimumHeight(2 * kLifeRowHeight);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(kLifeRowHeight);
+    QHeaderView* header = table_->horizontalHeader();
+    header->setSectionsClickable(false);
+    header->setHighlightSections(false);
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(1, QHeaderView::Stretch);
+    copyAction_->setObjectName(QStringLiteral("actCopyEvents"));
+    copyAction_->setIconText(tr("Copy rows"));
+    table_->addAction(copyAction_);
+    table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    table_->installEventFilter(this);
+    connect(copyAction_, &QAction::triggered, this, [this] {
+        QGuiApplication::clipboard()->setText(model_.rowsAsText(table_->selectionModel()->selectedRows()));
+    });
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
+        if (choosing_ || !row.isValid())
+            return;
+        view_->setCurrentEvent(static_cast<std::size_t>(row.row()));
+        choose(static_cast<std::size_t>(row.row()));
+    });
+}
+
+bool LineagePanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (QKeySequence(QKeySequence::Copy) == QKeySequence(key->keyCombination())) {
+            event->accept();  // what is accepted here comes as a key and not as a shortcut of the window
+            if (event->type() == QEvent::KeyPress)
+                copyAction_->trigger();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void LineagePanel::setChart(LineageChart chart)
+{
+    stack_->setCurrentIndex(chart.bars.empty() ? 0 : 1);
+    choosing_ = true;
+    model_.setEvents(chart.events);
+    choosing_ = false;
+    view_->setChart(std::move(chart));
+    chooseRow(view_->currentEvent());
+}
+
+void LineagePanel::setStep(int step, bool isThere)
+{
+    view_->setPlayhead(isThere ? view_->chart().momentOf(step) : -1);
+}
+
+QString LineagePanel::shownInstead() const
+{
+    return stack_->currentWidget() == instead_ ? instead_->text() : QString{};
+}
+
+void LineagePanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    emit shown();
+}
+
+void LineagePanel::choose(std::size_t event)
+{
+    chooseRow(event);
+    const FamilyEvent& happened = view_->chart().events[event];
+    emit planeChosen(happened.plane, happened.step);
+}
+
+void LineagePanel::chooseRow(std::optional<std::size_t> event)
+{
+    choosing_ = true;
+    if (event && static_cast<int>(*event) < model_.rowCount())
+        table_->selectRow(static_cast<int>(*event));
+    else
+        table_->clearSelection();
+    choosing_ = false;
+}
+
+}  // namespace planewright
