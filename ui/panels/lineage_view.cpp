@@ -25,7 +25,7 @@ namespace {
 constexpr int kGutter = 46;       // for the names of planes [px]
 constexpr int kRightMargin = 14;  // [px]
 constexpr int kTopMargin = 6;     // [px]
-constexpr int kBarRow = 28;    // [px]
+constexpr int kBarRow = 28;       // [px]
 constexpr int kAxisHeight = 22;   // [px]
 constexpr double kThickest = 18.0;
 constexpr double kThinnest = 4.0;

@@ -211,7 +211,9 @@ void DecisionsModelTest::everyConditionOfAScanHasWords()
     const PlaneRef first{last->planes[0]->id};
     const PlaneRef second{last->planes[1]->id};
     for (const Operand& operand : {Operand{second}, Operand{last->planes[1]->segments.front()}}) {
-        for (const Conditions& way : extractor.whyNot(first, operand)->ways) {
+        const auto answer = extractor.whyNot(first, operand);
+        QVERIFY(answer);
+        for (const Conditions& way : answer->ways) {
             QVERIFY(wayTitle(way.name) != QString::fromStdString(std::string{way.name}));
             for (const Test& test : way.tests)
                 look(test, aboutOf(way.name, way.tests));
