@@ -259,10 +259,10 @@ QString splitOutcome(const Decision& decision, const DecisionContext& context)
 TextLine decisionLine(const Decision& decision, const DecisionContext& context)
 {
     TextLine line;
-    line.add(decisionHead(decision, context), TextTone::Strong);
+    line.add(decisionHead(decision, context));
     addTests(decision, context.lengths, line);
     if (const QString outcome = splitOutcome(decision, context); !outcome.isEmpty())
-        line.add(outcome, TextTone::Strong);
+        line.add(outcome);
     return line;
 }
 

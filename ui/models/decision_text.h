@@ -20,11 +20,12 @@ namespace planewright {
 /// How a part of a line stands out.
 enum class TextTone {
     Plain,
-    Strong,  ///< what the line is about
+    Strong,  ///< the name of what stands below
     Faint,   ///< what matters less
     Pass,
     Fail,  ///< a condition that did not hold, with its number
     Link,
+    Mark,  ///< what the 3D view shows
 };
 
 struct TextPart {

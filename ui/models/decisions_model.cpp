@@ -171,13 +171,13 @@ TextLine DecisionsModel::phaseLine(const InspectedPhase& phase) const
         return line;
     }
     if (phase.number == shown_)
-        line.add(QStringLiteral("▶ "), TextTone::Link);
+        line.add(QStringLiteral("▶ "), TextTone::Mark);
     line.add(title, TextTone::Strong);
     line.add(QStringLiteral("  ") + phaseResult(phase.phase, phase.after->report.counts, phase.decisions));
     if (phase.time.count() > 0)
         line.add(QStringLiteral("  ") + millisecondsText(phase.time), TextTone::Faint);
     if (phase.number == shown_)
-        line.add(QStringLiteral("  ") + tr("shown in 3D"), TextTone::Link);
+        line.add(QStringLiteral("  ") + tr("shown in 3D"), TextTone::Mark);
     return line;
 }
 

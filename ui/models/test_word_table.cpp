@@ -41,9 +41,9 @@ std::span<const TestWords> allTestWords()
         TestWords{"similarity", Any, "|δ·δ|", Cosine, Keys{"clusters.direction-limit", ""},
                   "Cosine of the angle between the segment and the nearest cluster's direction. Where it fails, "
                   "the segment begins a new cluster."},
-        TestWords{"cluster_segments", Any, "segments in cluster", Count, Keys{"planes.min-cluster-segments", ""},
+        TestWords{"cluster_segments", Any, "segments", Count, Keys{"planes.min-cluster-segments", ""},
                   "A cluster is searched for planes when it holds so many segments."},
-        TestWords{"cluster_slices", Any, "slices of cluster", Count, Keys{"planes.min-cluster-slices", ""},
+        TestWords{"cluster_slices", Any, "slices", Count, Keys{"planes.min-cluster-slices", ""},
                   "A cluster is searched for planes when its segments are of so many slices."},
         TestWords{"segments", Any, "segments", Count, Keys{"planes.min-segments", ""},
                   "How many segments the plane has."},

@@ -58,6 +58,21 @@ std::string_view WhyNotModel::parameterAt(int row) const
     return words == nullptr ? std::string_view{} : words->parameters.front();
 }
 
+QString WhyNotModel::rowsAsText(const QModelIndexList& rows) const
+{
+    QString text = tr("Way\tCondition\tValue\tComparison\tLimit\tHolds\n");
+    for (const QModelIndex& index : rows) {
+        const int row = index.row();
+        const bool pass = isWay(row) ? wayAt(row).pass() : testAt(row).pass();
+        QStringList cells{wayTitle(wayAt(row).name)};
+        for (const WhyNotColumn column :
+             {WhyNotColumn::Condition, WhyNotColumn::Value, WhyNotColumn::Comparison, WhyNotColumn::Limit})
+            cells << (isWay(row) ? QString{} : textAt(row, column));
+        text += (cells << (pass ? QStringLiteral("yes") : QStringLiteral("no"))).join('\t') + '\n';
+    }
+    return text;
+}
+
 int WhyNotModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(rows_.size());

@@ -33,6 +33,9 @@ public:
     /// The parameter that sets a condition's limit; empty where there is none.
     std::string_view parameterAt(int row) const;
 
+    /// Rows as tab-separated text with headings, each with its way.
+    QString rowsAsText(const QModelIndexList& rows) const;
+
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;

@@ -3,13 +3,10 @@
 
 #include "ui/panels/decision_tree.h"
 
-#include <algorithm>
-
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QHeaderView>
-#include <QKeyEvent>
+#include <QMouseEvent>
 
+#include "ui/panels/copy_rows.h"
 #include "ui/panels/line_delegate.h"
 
 namespace planewright {
@@ -19,10 +16,7 @@ constexpr int kIndentation = 16;  // [px]
 }
 
 DecisionTree::DecisionTree(DecisionsModel& model, QWidget* parent)
-    : QTreeView(parent),
-      model_(model),
-      delegate_(new LineDelegate(this)),
-      copyAction_(new QAction(tr("Copy rows\tCtrl+C"), this))
+    : QTreeView(parent), model_(model), delegate_(new LineDelegate(this))
 {
     setObjectName(QStringLiteral("decisionTree"));
     setAccessibleName(tr("Decisions of the step"));
@@ -45,11 +39,8 @@ DecisionTree::DecisionTree(DecisionsModel& model, QWidget* parent)
     for (const Phase phase : {Phase::Fit, Phase::SplitMerge})
         open_.insert({static_cast<int>(phase), {}});
 
-    copyAction_->setObjectName(QStringLiteral("actCopyDecisions"));
-    copyAction_->setIconText(tr("Copy rows"));
-    addAction(copyAction_);
-    setContextMenuPolicy(Qt::ActionsContextMenu);
-    connect(copyAction_, &QAction::triggered, this, &DecisionTree::copy);
+    new CopyRows(this, QStringLiteral("actCopyDecisions"),
+                 [this](const QModelIndexList& rows) { return model_.rowsAsText(rows); });
     connect(this, &QTreeView::activated, this, &DecisionTree::rowActivated);
     connect(this, &QTreeView::expanded, this, [this](const QModelIndex& index) { keepOpen(index, true); });
     connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& index) { keepOpen(index, false); });
@@ -101,29 +92,6 @@ void DecisionTree::showPhase(std::size_t number)
     opening_ = false;
     selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
     scrollTo(index, PositionAtTop);
-}
-
-void DecisionTree::copy()
-{
-    QModelIndexList rows = selectionModel()->selectedRows();
-    // In the order in which they stand.
-    std::sort(rows.begin(), rows.end(),
-              [this](const QModelIndex& a, const QModelIndex& b) { return visualRect(a).top() < visualRect(b).top(); });
-    QGuiApplication::clipboard()->setText(model_.rowsAsText(rows));
-}
-
-bool DecisionTree::event(QEvent* event)
-{
-    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (QKeySequence(QKeySequence::Copy) == QKeySequence(key->keyCombination())) {
-            event->accept();  // what is accepted here comes as a key and not as a shortcut of the window
-            if (event->type() == QEvent::KeyPress)
-                copyAction_->trigger();
-            return true;
-        }
-    }
-    return QTreeView::event(event);
 }
 
 void DecisionTree::resizeEvent(QResizeEvent* event)

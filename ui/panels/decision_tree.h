@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include <QAction>
 #include <QTreeView>
 
 #include "ui/models/decisions_model.h"
@@ -23,8 +22,6 @@ public:
     /// The model must live as long as this.
     explicit DecisionTree(DecisionsModel& model, QWidget* parent = nullptr);
 
-    /// "Copy rows", `actCopyDecisions`, Ctrl+C while the tree has the keyboard.
-    QAction* copyAction() const { return copyAction_; }
     /// Makes the row of a phase the current one and opens it.
     void showPhase(std::size_t number);
 
@@ -33,7 +30,6 @@ signals:
     void rowActivated(const QModelIndex& index);
 
 protected:
-    bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -45,11 +41,9 @@ private:
     bool isOverLink(const QPoint& place) const;
     void keepOpen(const QModelIndex& index, bool open);
     void openAgain();
-    void copy();
 
     DecisionsModel& model_;
     LineDelegate* delegate_;
-    QAction* copyAction_;
     std::set<PhaseKey> open_;
     std::optional<PhaseKey> current_;
     bool opening_ = false;

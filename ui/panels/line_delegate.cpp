@@ -84,7 +84,9 @@ QTextCharFormat LineDelegate::formatOf(TextTone tone, const QPalette& palette, b
     QColor colour = palette.color(QPalette::Text);
     switch (tone) {
         case TextTone::Plain:
+            break;
         case TextTone::Strong:
+            format.setFontWeight(QFont::Bold);
             break;
         case TextTone::Faint:
             colour = palette.color(QPalette::PlaceholderText);
@@ -96,6 +98,9 @@ QTextCharFormat LineDelegate::formatOf(TextTone tone, const QPalette& palette, b
             colour = dark ? QColor(255, 145, 132) : QColor(176, 32, 24);
             format.setFontWeight(QFont::Bold);
             break;
+        case TextTone::Mark:
+            format.setFontWeight(QFont::Bold);
+            [[fallthrough]];
         case TextTone::Link:
             colour = palette.color(QPalette::Link);
             break;

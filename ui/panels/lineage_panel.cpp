@@ -3,15 +3,14 @@
 
 #include "ui/panels/lineage_panel.h"
 
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QVBoxLayout>
+
+#include "ui/panels/copy_rows.h"
 
 namespace planewright {
 
@@ -24,8 +23,7 @@ LineagePanel::LineagePanel(QWidget* parent)
       view_(new LineageView),
       table_(new QTableView),
       stack_(new QStackedWidget(this)),
-      instead_(new QLabel(tr("Select a plane to see where it comes from and what becomes of it."))),
-      copyAction_(new QAction(tr("Copy rows\tCtrl+C"), this))
+      instead_(new QLabel(tr("Select a plane to see where it comes from and what becomes of it.")))
 {
     setObjectName(QStringLiteral("lineagePanel"));
     instead_->setAlignment(Qt::AlignCenter);
@@ -69,34 +67,14 @@ void LineagePanel::makeTable()
     header->setHighlightSections(false);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(1, QHeaderView::Stretch);
-    copyAction_->setObjectName(QStringLiteral("actCopyEvents"));
-    copyAction_->setIconText(tr("Copy rows"));
-    table_->addAction(copyAction_);
-    table_->setContextMenuPolicy(Qt::ActionsContextMenu);
-    table_->installEventFilter(this);
-    connect(copyAction_, &QAction::triggered, this, [this] {
-        QGuiApplication::clipboard()->setText(model_.rowsAsText(table_->selectionModel()->selectedRows()));
-    });
+    new CopyRows(table_, QStringLiteral("actCopyEvents"),
+                 [this](const QModelIndexList& rows) { return model_.rowsAsText(rows); });
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
         if (choosing_ || !row.isValid())
             return;
         view_->setCurrentEvent(static_cast<std::size_t>(row.row()));
         choose(static_cast<std::size_t>(row.row()));
     });
-}
-
-bool LineagePanel::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (QKeySequence(QKeySequence::Copy) == QKeySequence(key->keyCombination())) {
-            event->accept();  // what is accepted here comes as a key and not as a shortcut of the window
-            if (event->type() == QEvent::KeyPress)
-                copyAction_->trigger();
-            return true;
-        }
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void LineagePanel::setChart(LineageChart chart)

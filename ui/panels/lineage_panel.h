@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <QAction>
 #include <QWidget>
 
 #include "ui/models/life_events_model.h"
@@ -32,7 +31,6 @@ public:
     LineageView* view() const { return view_; }
     QTableView* table() const { return table_; }
     const LifeEventsModel& model() const { return model_; }
-    QAction* copyAction() const { return copyAction_; }
     /// The text that stands in the graph's place, or nothing.
     QString shownInstead() const;
 
@@ -44,7 +42,6 @@ signals:
 
 protected:
     void showEvent(QShowEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void makeTable();
@@ -56,7 +53,6 @@ private:
     QTableView* table_;
     QStackedWidget* stack_;
     QLabel* instead_;
-    QAction* copyAction_;
     bool choosing_ = false;
 };
 

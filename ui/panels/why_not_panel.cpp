@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/common/plane_words.h"
+#include "ui/panels/copy_rows.h"
 #include "ui/panels/line_delegate.h"
 
 namespace planewright {
@@ -64,6 +65,7 @@ WhyNotPanel::WhyNotPanel(QWidget* parent)
     sentence_->setObjectName(QStringLiteral("whyNotSentence"));
     sentence_->setAccessibleName(tr("Answer"));
     sentence_->setWordWrap(true);
+    sentence_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     layout->addWidget(sentence_);
     makeTable();
     layout->addWidget(table_, 1);
@@ -98,6 +100,8 @@ void WhyNotPanel::makeTable()
         header->resizeSection(static_cast<int>(column), kValueWidth);
     for (const WhyNotColumn column : {WhyNotColumn::Comparison, WhyNotColumn::Verdict})
         header->resizeSection(static_cast<int>(column), kMarkWidth);
+    new CopyRows(table_, QStringLiteral("actCopyConditions"),
+                 [this](const QModelIndexList& rows) { return model_.rowsAsText(rows); });
     connect(&model_, &QAbstractItemModel::modelReset, table_, [this] {
         table_->clearSpans();
         for (int row = 0; row < model_.rowCount(); ++row) {

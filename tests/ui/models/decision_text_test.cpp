@@ -151,7 +151,7 @@ void DecisionTextTest::otherDecisionsInWords_data()
     QTest::newRow("leaves its plane") << Decision{Phase::Finish,
                                                   Kind::Reject,
                                                   {segment, PlaneRef{7}},
-                                                  {{"join_chi2", 31.25, Comparison::Less, 25.0}},
+                                                  {{"join_chi2", 31.2, Comparison::Less, 25.0}},
                                                   {}}
                                       << QStringLiteral("seg 63.3 leaves P07: χ² 31.2 < 25.0 ✘");
     QTest::newRow("moves")

@@ -3,6 +3,7 @@
 
 #include "ui/panels/why_not_panel.h"
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -23,6 +24,7 @@ private slots:
     void theAnswerIsASentenceAndATable();
     void aProblemStandsInThePanel();
     void aConditionLeadsToItsParameter();
+    void conditionsAreCopied();
 };
 
 namespace {
@@ -124,6 +126,22 @@ void WhyNotPanelTest::aConditionLeadsToItsParameter()
 
     QCOMPARE(asked.count(), 1);
     QCOMPARE(asked[0][0].toString(), QStringLiteral("planes.merge-distance"));
+}
+
+void WhyNotPanelTest::conditionsAreCopied()
+{
+    WhyNotPanel panel;
+    panel.setAnswer(stayTwo(), QStringLiteral("64"));
+    panel.show();
+    panel.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&panel));
+    panel.table()->setFocus();
+    panel.table()->selectRow(2);
+
+    QTest::keyClick(panel.table(), Qt::Key_C, Qt::ControlModifier);
+
+    QCOMPARE(QGuiApplication::clipboard()->text(),
+             QStringLiteral("Way\tCondition\tValue\tComparison\tLimit\tHolds\nMerge\tD\t0.061 m\t<\t0.025 m\tno\n"));
 }
 
 }  // namespace planewright
