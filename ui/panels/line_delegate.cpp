@@ -20,7 +20,7 @@ constexpr int kSideMargin = 4;  // [px]
 constexpr int kLineMargin = 4;  // above and below [px]
 constexpr int kLeastHeight = 28;
 
-TextLine lineOf(const QModelIndex& index)
+TextLine tonedLine(const QModelIndex& index)
 {
     return index.data(kLineRole).value<TextLine>();
 }
@@ -118,7 +118,7 @@ void LineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     const QStyle* style = shown.widget != nullptr ? shown.widget->style() : QApplication::style();
     style->drawControl(QStyle::CE_ItemViewItem, &shown, painter, shown.widget);
     QTextLayout layout;
-    const double height = layOut(layout, lineOf(index), shown, widthFor(shown, index));
+    const double height = layOut(layout, tonedLine(index), shown, widthFor(shown, index));
     painter->save();
     painter->setClipRect(shown.rect);
     layout.draw(painter, textCorner(shown, height));
@@ -133,7 +133,7 @@ QSize LineDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelInd
     if (width <= 0)
         return QStyledItemDelegate::sizeHint(option, index);
     QTextLayout layout;
-    const double height = layOut(layout, lineOf(index), shown, width);
+    const double height = layOut(layout, tonedLine(index), shown, width);
     return {width + 2 * kSideMargin, std::max(kLeastHeight, static_cast<int>(height) + 2 * kLineMargin)};
 }
 
@@ -141,7 +141,7 @@ TextTone LineDelegate::toneAt(const QStyleOptionViewItem& option, const QModelIn
 {
     QStyleOptionViewItem shown = option;
     initStyleOption(&shown, index);
-    const TextLine line = lineOf(index);
+    const TextLine line = tonedLine(index);
     QTextLayout layout;
     const double height = layOut(layout, line, shown, widthFor(shown, index));
     const QPointF within = place - textCorner(shown, height);

@@ -202,9 +202,9 @@ void InspectorWindowTest::aRowSelectsItsOperands()
                 QVERIFY(parts_->selection.planes() == std::set<PlaneId>{std::get<PlaneRef>(decision.result[0]).id});
                 ++assignments;
             } else if (decision.kind == DecisionKind::Cluster) {
-                const auto segments = segmentsOfCluster(std::get<ClusterRef>(decision.result[0]).id,
-                                                        history[static_cast<std::size_t>(place) - 1].get(),
-                                                        *parts_->playhead.snapshot());
+                const auto segments =
+                    segmentsOfCluster(std::get<ClusterRef>(decision.result[0]).id,
+                                      history[static_cast<std::size_t>(place) - 1].get(), *parts_->playhead.snapshot());
                 QVERIFY(parts_->selection.segments() == std::set<SegmentId>(segments.begin(), segments.end()));
                 QVERIFY(parts_->selection.segments().contains(std::get<SegmentId>(decision.operands[0])));
                 ++clusters;
