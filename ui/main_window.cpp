@@ -95,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
 
     addDock(QStringLiteral("dockSetup"), tr("Setup"), Qt::LeftDockWidgetArea);
     addDock(QStringLiteral("dockPlanes"), tr("Planes"), Qt::RightDockWidgetArea);
+    addDock(QStringLiteral("dockInspector"), tr("Step inspector"), Qt::RightDockWidgetArea);
     for (QDockWidget* dock : docks_)
         dock->setMinimumWidth(kLeastSideWidth);
     // Its title is written beside it: it is low and wide.
@@ -322,6 +323,7 @@ void MainWindow::operate()
 void MainWindow::inspect()
 {
     arrange(docks_.keys());
+    resizeDocks({docks_[QStringLiteral("dockPlanes")], docks_[QStringLiteral("dockInspector")]}, {2, 3}, Qt::Vertical);
 }
 
 void MainWindow::arrange(const QStringList& shown)
@@ -335,6 +337,13 @@ void MainWindow::arrange(const QStringList& shown)
     const int bottom = height() < kLowWindow ? kBottomHeightSmall : kBottomHeight;
     resizeDocks({docks_[QStringLiteral("dockTimeline")], docks_[QStringLiteral("dockBottom")]},
                 {kTimelineHeight, bottom}, Qt::Vertical);
+}
+
+void MainWindow::showInspector()
+{
+    QDockWidget* inspector = docks_[QStringLiteral("dockInspector")];
+    inspector->show();
+    inspector->raise();
 }
 
 void MainWindow::present(bool on)

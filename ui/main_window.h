@@ -37,11 +37,12 @@ public:
     Banner& banner() { return *banner_; }
     WelcomePage& welcome() { return *welcome_; }
 
-    /// Puts panels where they belong: "dockSetup", "dockPlanes", "dockTimeline".
+    /// Puts panels where they belong: "dockSetup", "dockPlanes", "dockInspector", "dockTimeline".
     void setPanel(const QString& dock, QWidget* panel);
     /// A tab of the dock at the bottom, by its objectName; tabs that are known stand in their order.
     void addBottomPanel(QWidget* panel, const QString& title);
     void showBottomPanel(const QString& name);
+    void showInspector();
 
     void showWelcome(bool shown);
     bool showsWelcome() const;

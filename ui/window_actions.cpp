@@ -127,6 +127,8 @@ constexpr std::array kRows{
     Row{"&Planes", "actSplit", "S&plit again", "Ctrl+T", "Take the selected plane apart"},
     Row{"&Planes", "actLock", "&Lock", "Ctrl+L", "Keep edits away from the selected planes"},
     Row{"&Planes", "actDelete", "&Delete", "Del", "Take the selected planes out of the map"},
+    Row{"&Planes", "", "", "", "", kSeparator},
+    Row{"&Planes", "actWhyNot", "Wh&y not?…", "Y", "Ask why two planes are not one, or a segment is not in a plane"},
 
     Row{"&Tools", "actMeasureDistance", "Measure &distance", "D", "Distance between two points", kCheckable},
     Row{"&Tools", "actMeasurePointPlane", "Measure &point to plane", "Shift+D", "Distance of a point from a plane",

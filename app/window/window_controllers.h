@@ -9,7 +9,9 @@
 #include "app/window/device_control.h"
 #include "app/window/file_control.h"
 #include "app/window/history_control.h"
+#include "app/window/inspector_control.h"
 #include "app/window/kept_view.h"
+#include "app/window/lineage_control.h"
 #include "app/window/measure_control.h"
 #include "app/window/plane_edits.h"
 #include "app/window/program_control.h"
@@ -31,6 +33,8 @@ struct WindowControllers {
           slice(parts),
           compare(parts, scan, follower),
           timeline(parts, history),
+          inspector(parts, history),
+          lineage(parts, inspector.tabs()),
           devices(parts, scan),
           edits(parts),
           measure(parts),
@@ -50,6 +54,8 @@ struct WindowControllers {
     SliceControl slice;
     CompareControl compare;
     TimelineControl timeline;
+    InspectorControl inspector;
+    LineageControl lineage;
     DeviceControl devices;
     PlaneEdits edits;
     MeasureControl measure;

@@ -13,6 +13,7 @@ enum ModelRole : int {
     kSecondSortRole,           ///< of a cell with two numbers, the second
     kPlainTextRole,            ///< all words of the row (asked of any of its cells) that a plain query looks through
     kLimitRole,                ///< the number that the cell's is held against
+    kLineRole,                 ///< a TextLine: what the cell says, with tones
 };
 
 }  // namespace planewright

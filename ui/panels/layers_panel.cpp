@@ -23,7 +23,7 @@ namespace {
 constexpr double kPercent = 100.0;
 constexpr int kSizeWidth = 54;  // [px]
 
-QString textOf(std::string_view ascii)
+QString asciiText(std::string_view ascii)
 {
     return QString::fromLatin1(ascii.data(), static_cast<qsizetype>(ascii.size()));
 }
@@ -50,7 +50,7 @@ LayersPanel::LayersPanel(QWidget* parent)
     colourBy_->setObjectName(QStringLiteral("colourBy"));
     colourBy_->setAccessibleName(tr("Colour by"));
     for (const std::string_view name : kColourByNames)
-        colourBy_->addItem(capitalised(textOf(name)));
+        colourBy_->addItem(capitalised(asciiText(name)));
     auto* colourLabel = new QLabel(tr("Colour b&y"), content);
     colourLabel->setBuddy(colourBy_);
     grid->addWidget(colourLabel, 0, 0);
@@ -82,7 +82,7 @@ LayersPanel::LayersPanel(QWidget* parent)
 
 void LayersPanel::addRow(QGridLayout* grid, Layer layer)
 {
-    const QString name = textOf(kLayerNames[static_cast<std::size_t>(layer)]);
+    const QString name = asciiText(kLayerNames[static_cast<std::size_t>(layer)]);
     Row& row = rows_[static_cast<std::size_t>(layer)];
     row.visible = new QCheckBox(name, this);
     row.visible->setObjectName(QStringLiteral("layer%1").arg(static_cast<int>(layer)));

@@ -12,7 +12,7 @@ namespace planewright {
 
 namespace {
 
-const std::vector<int> kDefaultColumns{
+const std::vector<int> kDefaultSegmentColumns{
     static_cast<int>(SegmentColumn::Id),      static_cast<int>(SegmentColumn::Step),
     static_cast<int>(SegmentColumn::State),   static_cast<int>(SegmentColumn::Plane),
     static_cast<int>(SegmentColumn::Cluster), static_cast<int>(SegmentColumn::Length),
@@ -30,7 +30,7 @@ SegmentsPanel::SegmentsPanel(SegmentsModel& model, MapSelection& selection, QWid
                                 .filterName = tr("Filter segments"),
                                 .filterPlaceholder = tr("Filter: step>40 length<0.5"),
                                 .emptyText = tr("No segments yet. They come with the first slice.")},
-                               kDefaultColumns, this)),
+                               kDefaultSegmentColumns, this)),
       unfittedOnly_(new QCheckBox(tr("Unfitted only"), this))
 {
     setObjectName(QStringLiteral("segmentsPanel"));

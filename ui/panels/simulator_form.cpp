@@ -19,7 +19,7 @@ namespace planewright {
 
 namespace {
 
-QString textOf(std::string_view ascii)
+QString sceneText(std::string_view ascii)
 {
     return QString::fromLatin1(ascii.data(), static_cast<qsizetype>(ascii.size()));
 }
@@ -47,12 +47,12 @@ constexpr std::array<Words, 5> kNoises{{{"none", "None: exact"},
 void addNames(QComboBox* box, std::span<const std::string_view> names, std::span<const Words> words)
 {
     for (const std::string_view name : names) {
-        QString shown = textOf(name);
+        QString shown = sceneText(name);
         for (const Words& word : words) {
             if (name == word.name)
                 shown = QString::fromUtf8(word.shown);
         }
-        box->addItem(shown, textOf(name));
+        box->addItem(shown, sceneText(name));
     }
 }
 

@@ -9,13 +9,17 @@
 #include <QScrollBar>
 #include <QSlider>
 #include <QTableView>
+#include <QTreeView>
 #include <QtTest>
 
 #include "tests/test_program.h"
+#include "tests/ui/drawn_lives.h"
 #include "tests/ui/made_map.h"
 #include "tests/ui/made_timeline.h"
 #include "ui/panels/filtered_table.h"
+#include "ui/panels/inspector_panel.h"
 #include "ui/panels/layers_panel.h"
+#include "ui/panels/lineage_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/parameter_group_box.h"
@@ -23,6 +27,7 @@
 #include "ui/panels/planes_panel.h"
 #include "ui/panels/segments_panel.h"
 #include "ui/panels/source_panel.h"
+#include "ui/panels/why_not_panel.h"
 #include "ui/theme/theme.h"
 
 namespace planewright {
@@ -58,12 +63,14 @@ bool isControl(const QWidget* widget)
     if (qobject_cast<const QAbstractSpinBox*>(widget->parentWidget()) != nullptr ||
         qobject_cast<const QComboBox*>(widget->parentWidget()) != nullptr ||
         qobject_cast<const QLineEdit*>(widget->parentWidget()) != nullptr ||
-        qobject_cast<const QTableView*>(widget->parentWidget()) != nullptr)
+        qobject_cast<const QTableView*>(widget->parentWidget()) != nullptr ||
+        qobject_cast<const QTreeView*>(widget->parentWidget()) != nullptr)
         return false;
     return qobject_cast<const QAbstractButton*>(widget) != nullptr ||
            qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
            qobject_cast<const QComboBox*>(widget) != nullptr || qobject_cast<const QLineEdit*>(widget) != nullptr ||
-           qobject_cast<const QSlider*>(widget) != nullptr || qobject_cast<const QTableView*>(widget) != nullptr;
+           qobject_cast<const QSlider*>(widget) != nullptr || qobject_cast<const QTableView*>(widget) != nullptr ||
+           qobject_cast<const QTreeView*>(widget) != nullptr || qobject_cast<const LineageView*>(widget) != nullptr;
 }
 
 QString nameOf(const QWidget* widget)
@@ -105,6 +112,16 @@ void PanelAccessTest::initTestCase()
     recording->setObjectName("recordingPanel");
     auto* logPanel = new LogPanel(log);
     logPanel->setReportHead([] { return QString(); });
+    auto* inspector = new InspectorPanel;
+    auto step = std::make_shared<Snapshot>();
+    step->report.step = 4;
+    inspector->setStep(InspectedStep{step, nullptr, {}});
+    auto* whyNot = new WhyNotPanel;
+    whyNot->setAnswer(
+        {{PlaneRef{3}, PlaneRef{11}}, false, {{"merge", {{"plane_distance", 0.061, Comparison::Less, 0.025}}}}}, "5");
+    auto* lineage = new LineagePanel;
+    const PlaneLives lives = drawnLives();
+    lineage->setChart(lineageChart(lives, lives.familyOf(2), 20, true));
     panels_ = {{new PlanesPanel(planes, selection), 420},
                {new SegmentsPanel(segments, selection), 700},
                {logPanel, 700},
@@ -112,7 +129,10 @@ void PanelAccessTest::initTestCase()
                {parametersPanel, 300},
                {new LayersPanel, 300},
                {new SourcePanel, 300},
-               {recording, 300}};
+               {recording, 300},
+               {inspector, 320},
+               {whyNot, 320},
+               {lineage, 320}};
     timeline_.panel->setColumns(madeColumns(137, true), 137, true);
     constexpr int kTimelineInSmallWindow = 750;
     panels_.emplace_back(timeline_.panel, kTimelineInSmallWindow);
