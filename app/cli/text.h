@@ -9,9 +9,6 @@
 
 namespace planewright {
 
-/// A number with so many digits behind the point, whatever the locale; never "-0".
-std::string fixedText(double value, int digits);
-
 /// A number for JSON and lists: rounded to nine significant digits, as in all files.
 double rounded(double value);
 
