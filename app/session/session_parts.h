@@ -11,6 +11,7 @@
 
 #include <QTimer>
 
+#include "app/session/idle_run.h"
 #include "app/session/scan_history.h"
 #include "app/session/scan_session.h"
 #include "app/session/session_run.h"
@@ -24,6 +25,7 @@ struct SessionParts {
 
     // Verbs come here when they are allowed.
     Result<void> request(SessionRequest request);
+    void happen(SessionHappening happening);
     void startScan();
     void startRerun();
     void cancelRerun();
@@ -33,6 +35,7 @@ struct SessionParts {
     void tellState();
     void showMap();
     void log(LogLevel level, const std::string& text);
+    void logRecords(const std::vector<FaultRecord>& records);
     SessionStatus status() const;
 
     ScanSession& session;
@@ -49,6 +52,7 @@ struct SessionParts {
     std::optional<int> shownStep;  ///< somebody has gone back to it
     std::shared_ptr<const SessionMap> map;
 
+    std::unique_ptr<IdleRun> idle;     ///< while a scanner with devices is there and no scan runs
     std::unique_ptr<SessionRun> run;   ///< while slices are taken or worked in
     ScanPipeline* pipeline = nullptr;  ///< its work, unless it is a rerun
 
@@ -63,7 +67,7 @@ private:
     void storeParameters();
     void openRecorded();
     std::unique_ptr<SliceRecorder> recorder();
-    void happen(SessionHappening happening);
+    void minds();
     void tellFault(const Error& error);
 
     std::optional<ScanHistory> rerunHistory_;  ///< of a rerun, until it is complete

@@ -25,6 +25,9 @@ public:
     /// Scans the room of an address with this scanner.
     void openRoom(const SimulatedScanner& simulation, const QString& address) { openWith(simulation, address, true); }
 
+    /// Motion is stopped: says so, with what releases it, and gives false.
+    bool mayMove();
+
 private:
     void openWith(const SimulatedScanner& simulation, const QString& fileOrAddress, bool starts);
     void start();
