@@ -178,6 +178,12 @@ QComboBox* DeviceForm::addAddress(QFormLayout* form, const QString& label, const
     box->setMinimumContentsLength(12);
     box->lineEdit()->setPlaceholderText(hint);
     form->addRow(label, box);
+    // Of an address that is longer than the field its beginning tells more than its end.
+    connect(box, &QComboBox::editTextChanged, this, [box](const QString& text) {
+        box->setToolTip(text);
+        if (!box->lineEdit()->hasFocus())
+            box->lineEdit()->setCursorPosition(0);
+    });
     // The list shows names, the field addresses.
     connect(box, &QComboBox::activated, this, [box](int index) { box->setEditText(box->itemData(index).toString()); });
     return box;

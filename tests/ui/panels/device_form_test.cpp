@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -247,6 +248,9 @@ void DeviceFormTest::theSetupIsGivenAsItWasTyped()
 
     QCOMPARE(requested.count(), 1);
     QVERIFY(requested.at(0).at(0).value<DeviceSetup>() == setup);
+    // A long address shows its beginning, and all of it when somebody points at it.
+    QCOMPARE(find<QComboBox>("tiltUnit")->lineEdit()->cursorPosition(), 0);
+    QCOMPARE(find<QComboBox>("tiltUnit")->toolTip(), QString("board:usb:"));
 }
 
 void DeviceFormTest::steppingTakesLonger()
