@@ -120,6 +120,10 @@ public:
     /// Ends scanning and waits until it is silent.
     virtual Result<void> stop() = 0;
 
+    /// While it does not scan: notices whether its link is still there, and throws away what comes. Asks nothing of it;
+    /// does not wait. Errors: DeviceLost.
+    virtual Result<void> lookAfter() { return {}; }
+
     virtual LinkHealth health() const = 0;
 
     /// Its faults since this was last called, the latest FaultLog::kMostRecords at most, oldest first.

@@ -24,8 +24,9 @@ struct HealthFact {
 
 /// Where slices come from: a scanner, a simulated one, or a recording. All code above sees no more of them than this.
 ///
-/// begin(), next() and end() are called by one thread; everything else may be called by any thread while that one
-/// waits, and returns at once (stopMotion: within one round trip to the device). A source outlives none of these calls.
+/// begin(), next(), end(), lookAfter() and goHome() are called by one thread at a time; everything else may be called
+/// by any thread while that one waits, and returns at once (stopMotion: within one round trip to the device). A source
+/// outlives none of these calls.
 class ScanSource {
 public:
     virtual ~ScanSource() = default;
@@ -53,6 +54,15 @@ public:
 
     /// The scan is over, whole or not: what moves comes to rest in order.
     virtual Result<void> end() { return {}; }
+
+    /// Between scans, about twice a second: looks how its devices are, for health(), and opens anew what was lost.
+    /// Moves nothing, asks nothing that a scan would have to wait for, and comes back soon after a stop. Called by the
+    /// thread that would call begin().
+    virtual void lookAfter(const std::stop_token& /*stop*/) {}
+
+    /// Between scans: brings the head to level, slowly, and to rest there; back when it is there, with the angle [rad];
+    /// empty where nothing moves. Called as begin(). Errors: as of begin(); Interrupted: a stop, or stopMotion().
+    virtual Result<std::optional<double>> goHome(const std::stop_token& /*stop*/) { return std::nullopt; }
 
     /// Holds the scan where it is, and lets it go on. Pausing what is paused changes nothing.
     virtual Result<void> pause() = 0;

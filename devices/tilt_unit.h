@@ -3,12 +3,14 @@
 
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "core/types/angle.h"
 #include "core/types/error.h"
 #include "devices/laser.h"
 
@@ -41,8 +43,8 @@ struct MotorState {
     std::string trouble;                ///< empty, or a line about what is wrong now
 };
 
-/// What tilts the laser. One thread calls it, except hold(), health(), takeLog() and motor(), which any thread may
-/// call at any time.
+/// What tilts the laser. One thread calls it, except hold(), holdsItself(), health(), takeLog() and motor(), which
+/// any thread may call at any time.
 class TiltUnit {
 public:
     virtual ~TiltUnit() = default;
@@ -84,6 +86,13 @@ public:
     /// DeviceLost: no answer, or the unit reports a fault (Error's text names it); Interrupted: held.
     virtual Result<void> moveTo(double pitch, double speed) = 0;
 
+    /// Begins to go home: level, φ = 90°, or as near to that as it may, slowly enough to be stopped by hand. Errors:
+    /// those of moveTo().
+    virtual Result<void> goHome() { return moveTo(home(), homeSpeed()); }
+    /// φ of home [rad], and the speed on the way there [rad/s].
+    double home() const { return std::clamp(degrees(90.0), lowest(), highest()); }
+    double homeSpeed() const { return std::min(degrees(20.0), fastest()); }
+
     /// φ that it really goes to for a wanted one: the nearest of its steps [rad].
     virtual double nearestPitch(double pitch) const = 0;
 
@@ -96,6 +105,9 @@ public:
 
     /// Stops where it is and holds; refuses every motion until arm(). Within one round trip.
     virtual Result<void> hold() = 0;
+
+    /// False where its motor has no torque, as far as it last said: it may be turned by hand, or have sunk.
+    virtual bool holdsItself() const { return true; }
 
     virtual LinkHealth health() const = 0;
     /// Its faults since this was last called, the latest FaultLog::kMostRecords at most, oldest first.

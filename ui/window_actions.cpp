@@ -88,6 +88,7 @@ constexpr std::array kRows{
         "Take one more slice while the scan is held; . does so at its newest step"},
     Row{"&Scan", "actFinish", "&Finish", "F7", "End the scan with what there is"},
     Row{"&Scan", "actStopMotion", "Stop &motion", "Ctrl+.", "Stop the scanner now, in whatever state"},
+    Row{"&Scan", "actHome", "&Home actuator", "", "Bring the head to level, slowly, and hold it there"},
     Row{"&Scan", "", "", "", "", kSeparator},
     Row{"&Scan", "actRecord", "&Record scans", "", "Write every scan to the recording folder", kCheckable},
     Row{"&Scan", "actRerun", "Re-r&un extraction", "Ctrl+R", "Extract the whole scan with the present parameters"},

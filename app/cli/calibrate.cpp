@@ -18,6 +18,7 @@
 #include "app/cli/recording_file.h"
 #include "app/cli/text.h"
 #include "core/formats/preset_file.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <atomic>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,9 +15,7 @@
 #include "app/cli/signal_watch.h"
 #include "app/sources/device_opener.h"
 #include "app/sources/found_devices.h"
-#include "app/sources/unit_motion.h"
-#include "core/formats/number_text.h"
-#include "core/types/angle.h"
+#include "app/sources/unit_tasks.h"
 
 namespace planewright {
 
@@ -97,27 +94,16 @@ Result<ExitCode> listDevices(bool json)
     return ExitCode::Done;
 }
 
-Result<std::string> homeUnit(const DeviceAddress& address, const std::stop_token& stop)
+Result<std::string> home(const DeviceAddress& unit, const std::stop_token& stop)
 {
     DeviceOpener opener(steadyClock());
-    auto unit = opener.openTiltUnit(address, stop);
-    if (!unit)
-        return tl::unexpected{unit.error()};
-    UnitMotion motion(std::move(*unit), steadyClock(), stop);
-    const Result<double> there = bringToLevel(motion);
-    if (!there)
-        return tl::unexpected{there.error()};
-    return motion.unit().identity() + ": stands at " + formatNumber(std::round(toDegrees(*there) * 10.0) / 10.0) +
-           "°, and is held\n";
+    return bringUnitHome(opener, unit, steadyClock(), stop);
 }
 
-Result<std::string> recoverUnit(const DeviceAddress& address, const std::stop_token& stop)
+Result<std::string> recover(const DeviceAddress& unit, const std::stop_token& stop)
 {
     DeviceOpener opener(steadyClock());
-    auto unit = opener.openTiltUnit(address, stop);
-    if (!unit)
-        return tl::unexpected{unit.error()};
-    return release(**unit, stop).map([](const std::string& how) { return how + "\n"; });
+    return releaseUnit(opener, unit, stop);
 }
 
 /// What one unit is to do, of an address that an option gives.
@@ -137,7 +123,7 @@ Result<ExitCode> withUnit(const std::string& option, const std::string& text,
     }
     if (!done)
         return tl::unexpected{done.error()};
-    if (const Result<void> printed = print(*done); !printed)
+    if (const Result<void> printed = print(*done + "\n"); !printed)
         return tl::unexpected{printed.error()};
     return interrupted ? static_cast<ExitCode>(128 + *interrupted) : ExitCode::Done;
 }
@@ -151,8 +137,8 @@ Result<ExitCode> runDevices(const DevicesOptions& options)
     if (!options.home.empty() && !options.recover.empty())
         return fail(ErrorCode::Usage, "--home, --recover: give one of them; look at the head before it moves again");
     if (!options.recover.empty())
-        return withUnit("--recover", options.recover, recoverUnit);
-    return withUnit("--home", options.home, homeUnit);
+        return withUnit("--recover", options.recover, recover);
+    return withUnit("--home", options.home, home);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct Fact {
     Json value;
 };
 
-double inDegrees(double radians)
+double roundedDegrees(double radians)
 {
     return rounded(toDegrees(radians));
 }
@@ -67,11 +67,11 @@ std::vector<Fact> factsOf(const RecordingFile& read)
         {"returns", "returns", returns},
         {"nearest_m", "nearest return [m]", rounded(nearest)},
         {"farthest_m", "farthest return [m]", rounded(farthest)},
-        {"pitch_first_deg", "first pitch [deg]", inDegrees(first.tilt)},
-        {"pitch_last_deg", "last pitch [deg]", inDegrees(last.tilt)},
+        {"pitch_first_deg", "first pitch [deg]", roundedDegrees(first.tilt)},
+        {"pitch_last_deg", "last pitch [deg]", roundedDegrees(last.tilt)},
         {"continuous", "nods on during a slice", continuous},
-        {"bearing_start_deg", "bearing of beam 0 [deg]", inDegrees(description.firstBearing)},
-        {"bearing_step_deg", "bearing step [deg]", inDegrees(description.bearingStep)},
+        {"bearing_start_deg", "bearing of beam 0 [deg]", roundedDegrees(description.firstBearing)},
+        {"bearing_step_deg", "bearing step [deg]", roundedDegrees(description.bearingStep)},
         {"interlaced", "own bearing per slice", interlaced},
         {"range_min_m", "least range [m]", rounded(description.rangeMin)},
         {"range_max_m", "largest range [m]", rounded(description.rangeMax)},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/text.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 

@@ -27,6 +27,7 @@
 #include "app/sources/scan_size.h"
 #include "core/formats/recorded_slice.h"
 #include "core/formats/recording_csv.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 
@@ -39,6 +40,7 @@ struct RecordOptions {
     ScanSetupOptions setup;
     std::string output;
     bool append = false;
+    bool home = false;
     bool extract = false;
     int retries = 0;  ///< after a fault of the devices
     ParameterOptions parameters;
@@ -118,6 +120,35 @@ Result<OpenedSource> openWatched(const RecordOptions& options, const SignalWatch
     return std::move(*opened);
 }
 
+/// Brings the head to level, on a thread of its own: a signal holds it at once. Gives the signal. Errors: those of
+/// the devices.
+Result<std::optional<int>> bringHome(ScanSource& source, const SignalWatch& signals)
+{
+    Result<std::optional<double>> home = std::nullopt;
+    std::optional<int> interrupted;
+    std::atomic<bool> isDone{false};
+    {
+        std::jthread going([&](const std::stop_token& stop) {
+            home = source.goHome(stop);
+            isDone = true;
+        });
+        while (!isDone) {
+            if (const std::optional<int> signal = signals.wait(kLookEvery); signal && !interrupted) {
+                interrupted = signal;
+                [[maybe_unused]] const Result<void> stopped = source.stopMotion();
+                going.request_stop();
+            }
+        }
+    }
+    if (interrupted)
+        return interrupted;
+    if (!home)
+        return tl::unexpected{home.error()};
+    if (*home)
+        printNote("the head is at " + degreesText(**home, 1));
+    return std::nullopt;
+}
+
 ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline)
 {
     ScanEvents events;
@@ -175,6 +206,8 @@ Result<ExitCode> record(const RecordOptions& options)
         return tl::unexpected{opened.error()};
     for (const std::string& warning : opened->warnings)
         printWarning(warning);
+    if (options.home && opened->source->health().empty())
+        return fail(ErrorCode::Usage, "--home: " + opened->source->name() + " has no head that moves; leave it out");
     const auto parameters = parametersOf(options, opened->source->description().scanner);
     if (!parameters)
         return tl::unexpected{parameters.error()};
@@ -185,6 +218,16 @@ Result<ExitCode> record(const RecordOptions& options)
     if (opened->plan)
         printNote(scanSizeText(*opened->plan, opened->source->plannedSlices().value_or(0)));
 
+    // Whoever starts a scan has seen to the head.
+    opened->source->release();
+    if (options.home) {
+        const auto signal = bringHome(*opened->source, signals);
+        if (!signal || *signal) {
+            if (const Result<void> closed = (*recorder)->close(ScanOutcome::Partial); !closed)
+                printWarning(closed.error().message);
+            return signal.map([](const std::optional<int>& caught) { return static_cast<ExitCode>(128 + *caught); });
+        }
+    }
     ScanNews news;
     ScanPipeline* running = nullptr;
     ScanPipeline pipeline{{opened->source,
@@ -196,8 +239,6 @@ Result<ExitCode> record(const RecordOptions& options)
                           eventsFor(news, running),
                           steadyClock()};
     running = &pipeline;
-    // Whoever starts a scan has seen to the head.
-    opened->source->release();
     std::optional<int> interrupted;
     {
         std::vector<std::jthread> threads;
@@ -248,6 +289,7 @@ void addRecordCommand(CLI::App& program, Command& chosen)
         "after an emergency stop, an alarm or where something blocks the head (default 0)");
     command.add_option("-o", options->output, "recording to write (.pwscan)")->type_name("FILE")->required();
     command.add_flag("--append", options->append, "add the scan to a recording that is there");
+    command.add_flag("--home", options->home, "bring the head to level first, slowly; Ctrl-C holds it at once");
     command.add_flag("--extract", options->extract, "extract planes meanwhile, and print them at the end");
     addParameterOptions(command, options->parameters);
     command.callback([options, &chosen] { chosen = [options] { return record(*options); }; });

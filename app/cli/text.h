@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/formats/number_text.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 

@@ -72,6 +72,30 @@ Result<void> ScanSession::start()
     return {};
 }
 
+Result<void> ScanSession::goHome()
+{
+    if (Result<void> allowed = parts_->request(SessionRequest::GoHome); !allowed)
+        return allowed;
+    if (!parts_->idle) {
+        parts_->happen(SessionHappening::Home);
+        return fail(ErrorCode::Usage, "A simulated scanner has no head that moves.");
+    }
+    parts_->opened.source->release();
+    parts_->idle->goHome();
+    parts_->tellState();
+    return {};
+}
+
+bool ScanSession::canGoHome() const
+{
+    return parts_->idle && parts_->machine.refusal(SessionRequest::GoHome).empty();
+}
+
+bool ScanSession::goesHome() const
+{
+    return parts_->machine.goesHome();
+}
+
 Result<void> ScanSession::pauseOrContinue()
 {
     const bool pauses = state() != SessionState::Paused;
@@ -134,7 +158,8 @@ Result<void> ScanSession::release()
 {
     if (Result<void> allowed = parts_->request(SessionRequest::Release); !allowed)
         return allowed;
-    parts_->opened.source->release();
+    if (parts_->opened.source)
+        parts_->opened.source->release();
     parts_->tellState();
     return {};
 }

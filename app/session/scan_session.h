@@ -47,6 +47,13 @@ public:
     Result<void> cancel();
     /// Takes a scan with the scanner that is connected, or plays the recording again.
     Result<void> start();
+    /// Brings the head of the scanner that is connected to level, slowly, where it is held: Homing, and back. Refused
+    /// where nothing moves.
+    Result<void> goHome();
+    /// Whether goHome() would do something now.
+    bool canGoHome() const;
+    /// Homing, to level.
+    bool goesHome() const;
     Result<void> pauseOrContinue();
     /// One slice more while it is paused.
     Result<void> step();
@@ -55,7 +62,8 @@ public:
     /// Tries again what failed. Whoever asks for it has seen to what a device has stopped for.
     Result<void> retry();
     /// Stops whatever moves at once, in every state, and ends the scan with what there is. Nothing moves then before
-    /// release(): start() and retry() are refused. Never refused itself; an error is the device's.
+    /// release(), whatever is opened or closed meanwhile: start(), goHome() and retry() are refused, and whoever moves
+    /// devices elsewhere asks isMotionStopped(). Never refused itself; an error is the device's.
     Result<void> stopMotion();
     /// Lets what was stopped move again, when it is asked to.
     Result<void> release();

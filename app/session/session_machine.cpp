@@ -4,6 +4,7 @@
 #include "app/session/session_machine.h"
 
 #include <string>
+#include <utility>
 
 namespace planewright {
 
@@ -44,7 +45,7 @@ std::string_view SessionMachine::refusal(SessionRequest request) const
             return "Nothing is being opened or extracted that could be cancelled.";
 
         case Request::Start:
-            if (motionStopped_ && (is(State::Ready) || is(State::Review)))
+            if (motionStopped_ && live_ && (is(State::Ready) || is(State::Review)))
                 return kMotionStopped;
             if (is(State::Ready) || is(State::Review) || is(State::ReadOnly))
                 return {};
@@ -57,6 +58,13 @@ std::string_view SessionMachine::refusal(SessionRequest request) const
             if (is(State::Finishing))
                 return kFinishing;
             return is(State::Fault) ? kFault : kBusy;
+
+        case Request::GoHome:
+            if (isIdle() && !goesHome_)
+                return motionStopped_ ? kMotionStopped : std::string_view{};
+            if (is(State::Homing))
+                return "The head is moving already.";
+            return live_ && mayRecord() ? kBusy : "No scanner is connected. Connect one first.";
 
         case Request::Pause:
             if (rerunning_)
@@ -78,7 +86,7 @@ std::string_view SessionMachine::refusal(SessionRequest request) const
             if (is(State::Scanning) || is(State::Paused) || is(State::Replaying) || is(State::Fault))
                 return {};
             if (is(State::Homing))
-                return "The scanner is moving to the start. Stop motion ends that.";
+                return "The scanner is moving. Stop motion ends that.";
             return is(State::Finishing) ? kFinishing : kNotRunning;
 
         case Request::Retry:
@@ -150,6 +158,11 @@ void SessionMachine::enter(SessionRequest request)
             begun_ = false;
             state_ = live_ ? State::Homing : State::Replaying;
             break;
+        case SessionRequest::GoHome:
+            goesHome_ = true;
+            homeFrom_ = state_;
+            state_ = State::Homing;
+            break;
         case SessionRequest::Rerun:
             rerunning_ = true;
             state_ = State::Replaying;
@@ -172,9 +185,11 @@ void SessionMachine::enter(SessionRequest request)
                 state_ = State::Replaying;
             break;
         case SessionRequest::StopMotion:
-            motionStopped_ = motionStopped_ || live_;
+            motionStopped_ = true;
             if (is(State::Connecting))
                 state_ = before_;
+            else if (std::exchange(goesHome_, false))
+                state_ = homeFrom_;
             else if (is(State::Homing) || is(State::Scanning) || (is(State::Paused) && live_))
                 state_ = State::Finishing;
             break;
@@ -182,7 +197,7 @@ void SessionMachine::enter(SessionRequest request)
             motionStopped_ = false;
             break;
         case SessionRequest::Close:
-            *this = {};
+            startOver();
             break;
         case SessionRequest::Step:
         case SessionRequest::SetParameters:
@@ -193,6 +208,14 @@ void SessionMachine::enter(SessionRequest request)
 }
 
 /// Where a scan that is over comes to rest.
+/// As new, but for what only release() ends.
+void SessionMachine::startOver()
+{
+    const bool motionStopped = motionStopped_;
+    *this = {};
+    motionStopped_ = motionStopped;
+}
+
 SessionState SessionMachine::resting() const
 {
     return readOnly_ ? SessionState::ReadOnly : SessionState::Review;
@@ -201,8 +224,8 @@ SessionState SessionMachine::resting() const
 void SessionMachine::happen(SessionHappening happening)
 {
     using State = SessionState;
-    const bool isUnderWay = is(State::Homing) || is(State::Scanning) || is(State::Paused) || is(State::Replaying) ||
-                            (is(State::Fault) && scans_);
+    const bool isUnderWay = (is(State::Homing) && !goesHome_) || is(State::Scanning) || is(State::Paused) ||
+                            is(State::Replaying) || (is(State::Fault) && scans_);
     switch (happening) {
         case SessionHappening::Connected:
         case SessionHappening::Loaded:
@@ -213,7 +236,6 @@ void SessionMachine::happen(SessionHappening happening)
             readOnly_ = happening == SessionHappening::LoadedReadOnly;
             begun_ = false;
             scans_ = false;
-            motionStopped_ = false;  // of the scanner before
             state_ = live_ ? State::Ready : State::Replaying;
             break;
         case SessionHappening::LoadingFailed:
@@ -223,13 +245,17 @@ void SessionMachine::happen(SessionHappening happening)
         case SessionHappening::ConnectingFailed:
             if (!is(State::Connecting))
                 break;
-            *this = {};
+            startOver();
             state_ = State::Fault;
             break;
         case SessionHappening::Begun:
             begun_ = true;
-            if (is(State::Homing))
+            if (is(State::Homing) && !goesHome_)
                 state_ = State::Scanning;
+            break;
+        case SessionHappening::Home:
+            if (std::exchange(goesHome_, false))
+                state_ = homeFrom_;
             break;
         case SessionHappening::SourceFailed:
             if (!isUnderWay)
@@ -255,20 +281,26 @@ bool SessionMachine::mayRecord() const
 {
     using State = SessionState;
     return live_ && !rerunning_ &&
-           (is(State::Homing) || is(State::Scanning) || is(State::Paused) || is(State::Finishing) ||
+           ((is(State::Homing) && !goesHome_) || is(State::Scanning) || is(State::Paused) || is(State::Finishing) ||
             (is(State::Fault) && scans_));
 }
 
 bool SessionMachine::mayMove() const
 {
-    return mayRecord();
+    return mayRecord() || goesHome_;
+}
+
+bool SessionMachine::isIdle() const
+{
+    return live_ && (is(SessionState::Ready) || is(SessionState::Review) || goesHome_);
 }
 
 bool SessionMachine::hasScan() const
 {
     using State = SessionState;
     return is(State::Scanning) || is(State::Paused) || is(State::Finishing) || is(State::Review) ||
-           is(State::Replaying) || is(State::ReadOnly) || (is(State::Fault) && scans_);
+           is(State::Replaying) || is(State::ReadOnly) || (is(State::Fault) && scans_) ||
+           (goesHome_ && homeFrom_ == State::Review);
 }
 
 }  // namespace planewright

@@ -16,7 +16,7 @@ enum class SessionState {
     Empty,       ///< no scan
     Connecting,  ///< a scanner or a file is being opened
     Ready,       ///< a scanner is there
-    Homing,      ///< it moves to where the scan begins
+    Homing,      ///< it moves to where the scan begins, or to level
     Scanning,    ///< it takes slices
     Paused,      ///< a scan or a replay holds
     Finishing,   ///< no more slices come; those that came are being worked in
@@ -39,6 +39,7 @@ enum class SessionRequest {
     Open,
     Cancel,  ///< what is being opened, or extracted once more
     Start,
+    GoHome,  ///< the head goes to level
     Pause,
     Continue,
     Step,
@@ -52,7 +53,7 @@ enum class SessionRequest {
     GoToStep,
     Close,
 };
-inline constexpr std::size_t kSessionRequests = 15;
+inline constexpr std::size_t kSessionRequests = 16;
 
 /// What the world does to a session.
 enum class SessionHappening {
@@ -62,12 +63,13 @@ enum class SessionHappening {
     LoadingFailed,     ///< a file could not be opened
     ConnectingFailed,  ///< a scanner could not be opened
     Begun,             ///< the scanner stands where the scan begins
+    Home,              ///< the head is at level, or will not get there
     SourceFailed,      ///< the source cannot go on
     SourceEnded,       ///< the source gives no more slices
     CaughtUp,          ///< all that came is worked in, and its recording closed
     CaughtUpEmpty,     ///< the same, where nothing came
 };
-inline constexpr std::size_t kSessionHappenings = 10;
+inline constexpr std::size_t kSessionHappenings = 11;
 
 /// Which state follows which: no thread, no clock, nothing but the rules.
 class SessionMachine {
@@ -96,12 +98,19 @@ public:
     /// True where the source is a scanner.
     bool isLive() const { return live_; }
 
-    /// True from stopping a scanner's motion on, in every state, until it is released.
+    /// True while the head goes to level.
+    bool goesHome() const { return goesHome_; }
+
+    /// True where a scanner is there and no scan runs.
+    bool isIdle() const;
+
+    /// True from stopping motion on, in every state, until it is released: opening another scanner does not release it.
     bool isMotionStopped() const { return motionStopped_; }
 
 private:
     void enter(SessionRequest request);
     SessionState resting() const;
+    void startOver();
     bool is(SessionState state) const { return state_ == state; }
 
     SessionState state_ = SessionState::Empty;
@@ -110,7 +119,9 @@ private:
     bool readOnly_ = false;                      ///< the file that was loaded cannot be changed
     bool begun_ = false;                         ///< the scanner has come to where the scan begins
     bool rerunning_ = false;                     ///< what is worked in are the slices that were there
-    bool scans_ = false;                         ///< in Fault: a scan failed, not the opening
+    bool goesHome_ = false;                      ///< in Homing: to level, and back to homeFrom_ then
+    SessionState homeFrom_ = SessionState::Ready;
+    bool scans_ = false;  ///< in Fault: a scan failed, not the opening
     bool motionStopped_ = false;
 };
 

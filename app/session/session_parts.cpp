@@ -13,6 +13,7 @@
 #include "app/session/loops/reextraction.h"
 #include "app/session/recording_name.h"
 #include "core/params/presets.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 
@@ -71,12 +72,43 @@ void SessionParts::happen(SessionHappening happening)
 
 void SessionParts::tellState()
 {
+    minds();
     if (std::exchange(toldStopped_, machine.isMotionStopped()) != machine.isMotionStopped())
         emit session.motionStoppedChanged(machine.isMotionStopped());
     if (std::exchange(told_, machine.state()) == machine.state())
         return;
     emit session.stateChanged(machine.state());
     emit session.statusChanged(status());
+}
+
+/// Devices are looked after while no scan does it. One that has no health to tell of has no devices.
+void SessionParts::minds()
+{
+    if (!machine.isIdle() || !opened.source || opened.source->health().empty()) {
+        idle.reset();
+        return;
+    }
+    if (idle)
+        return;
+    idle = std::make_unique<IdleRun>(opened.source, clock);
+    QObject::connect(idle.get(), &IdleRun::cameHome, &session, [this](std::optional<double> pitch) {
+        happen(SessionHappening::Home);
+        if (pitch)
+            log(LogLevel::Info, "the head is held at " + degreesText(*pitch, 1));
+    });
+    QObject::connect(idle.get(), &IdleRun::homeFailed, &session, [this](const Error& error) {
+        happen(SessionHappening::Home);
+        if (error.code != ErrorCode::Interrupted)
+            tellFault(error);
+    });
+    QObject::connect(idle.get(), &IdleRun::devicesTroubled, &session,
+                     [this](const std::vector<FaultRecord>& records) { logRecords(records); });
+}
+
+void SessionParts::logRecords(const std::vector<FaultRecord>& records)
+{
+    for (const FaultRecord& record : records)
+        log(LogLevel::Warning, recordText(record));
 }
 
 void SessionParts::log(LogLevel level, const std::string& text)
@@ -142,6 +174,7 @@ std::unique_ptr<SliceRecorder> SessionParts::recorder()
 
 void SessionParts::startScan()
 {
+    idle.reset();
     run.reset();
     if (opened.source->isLive()) {
         // A scan of its own begins with the parameters that are in force now, and has no file yet.
@@ -204,10 +237,7 @@ void SessionParts::connectRun()
     on(&SessionRun::sourceRecovering, [this](const Error& error, std::chrono::milliseconds wait) {
         log(LogLevel::Warning, error.message + "; it is tried again in " + inSeconds(wait));
     });
-    on(&SessionRun::devicesTroubled, [this](const std::vector<FaultRecord>& records) {
-        for (const FaultRecord& record : records)
-            log(LogLevel::Warning, recordText(record));
-    });
+    on(&SessionRun::devicesTroubled, [this](const std::vector<FaultRecord>& records) { logRecords(records); });
     on(&SessionRun::recordingTroubled, [this](const Error& error) {
         tellFault(
             {error.code, error.message +
@@ -319,6 +349,7 @@ void SessionParts::forget()
 {
     frame_.stop();
     statusTick_.stop();
+    idle.reset();
     run.reset();
     pipeline = nullptr;
     rerunHistory_.reset();

@@ -12,6 +12,7 @@
 
 #include <QTimer>
 
+#include "app/session/idle_run.h"
 #include "app/session/scan_history.h"
 #include "app/session/scan_session.h"
 #include "app/session/session_run.h"
@@ -25,6 +26,7 @@ struct SessionParts {
 
     // Verbs come here when they are allowed.
     Result<void> request(SessionRequest request);
+    void happen(SessionHappening happening);
     void startScan();
     void startRerun();
     void cancelRerun();
@@ -34,6 +36,7 @@ struct SessionParts {
     void tellState();
     void showMap();
     void log(LogLevel level, const std::string& text);
+    void logRecords(const std::vector<FaultRecord>& records);
     SessionStatus status() const;
 
     ScanSession& session;
@@ -51,6 +54,7 @@ struct SessionParts {
     std::variant<std::monostate, int, std::size_t> shownStep;
     std::shared_ptr<const SessionMap> map;
 
+    std::unique_ptr<IdleRun> idle;     ///< while a scanner with devices is there and no scan runs
     std::unique_ptr<SessionRun> run;   ///< while slices are taken or worked in
     ScanPipeline* pipeline = nullptr;  ///< its work, unless it is a rerun
 
@@ -65,7 +69,7 @@ private:
     void storeParameters();
     void openRecorded();
     std::unique_ptr<SliceRecorder> recorder();
-    void happen(SessionHappening happening);
+    void minds();
     void tellFault(const Error& error);
 
     std::optional<ScanHistory> rerunHistory_;  ///< of a rerun, until it is complete

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/types/angle.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 
@@ -18,15 +18,6 @@ using Seconds = std::chrono::duration<double>;
 
 /// A unit that tells no angle for so long is not asked any more.
 constexpr std::chrono::seconds kMostSilence{1};
-constexpr double kLevel = degrees(90.0);
-constexpr double kSlowly = degrees(20.0);  // [rad/s]: slow enough to be stopped by hand
-
-std::string inDegrees(double angle)
-{
-    const auto tenths = std::lround(toDegrees(angle) * 10.0);
-    return (tenths < 0 ? "-" : "") + std::to_string(std::abs(tenths) / 10) + "." +
-           std::to_string(std::abs(tenths) % 10) + "°";
-}
 
 }  // namespace
 
@@ -87,18 +78,35 @@ Result<double> UnitMotion::position()
 
 Result<void> UnitMotion::moveTo(double pitch, double speed)
 {
-    const Result<void> moved = moveUnheld(pitch, speed);
-    if (!moved)
-        static_cast<void>(hold());
-    return moved;
+    return travel(pitch, speed, [&] { return unit_->moveTo(pitch, speed); });
 }
 
-Result<void> UnitMotion::moveUnheld(double pitch, double speed)
+Result<double> UnitMotion::goHome()
+{
+    if (const Result<void> armed = arm(); !armed)
+        return tl::unexpected{armed.error()};
+    if (const Result<void> moved = travel(unit_->home(), unit_->homeSpeed(), [&] { return unit_->goHome(); }); !moved)
+        return tl::unexpected{moved.error()};
+    const Result<double> there = position();
+    if (const Result<void> rested = rest(); !rested)
+        return tl::unexpected{rested.error()};
+    return there;
+}
+
+Result<void> UnitMotion::travel(double pitch, double speed, const std::function<Result<void>()>& begin)
+{
+    const Result<void> arrived = travelUnheld(pitch, speed, begin);
+    if (!arrived)
+        static_cast<void>(hold());
+    return arrived;
+}
+
+Result<void> UnitMotion::travelUnheld(double pitch, double speed, const std::function<Result<void>()>& begin)
 {
     const Result<double> begun = position();
     if (!begun)
         return tl::unexpected{begun.error()};
-    if (const Result<void> sent = unit_->moveTo(pitch, speed); !sent)
+    if (const Result<void> sent = begin(); !sent)
         return stop_.stop_requested() ? stopped() : sent;
     const double goal = unit_->nearestPitch(pitch);
     const Seconds most{3.0 * std::abs(goal - *begun) / std::min(speed, unit_->fastest()) + 1.0};
@@ -110,8 +118,9 @@ Result<void> UnitMotion::moveUnheld(double pitch, double speed)
         if (!now->moving && std::abs(now->pitch - goal) <= unit_->tolerance() + 0.5 * unit_->resolution())
             return {};
         if (clock_.now() >= until)
-            return fail(ErrorCode::DeviceLost, unit_->identity() + ": the head does not get to " + inDegrees(goal) +
-                                                   " but stands at " + inDegrees(now->pitch) +
+            return fail(ErrorCode::DeviceLost, unit_->identity() + ": the head does not get to " +
+                                                   degreesText(goal, 1) + " but stands at " +
+                                                   degreesText(now->pitch, 1) +
                                                    "; look whether something blocks it, and whether its power is on");
     }
 }
@@ -130,28 +139,6 @@ Result<void> UnitMotion::rest()
     if (rested)
         mayMove_ = false;
     return rested;
-}
-
-Result<std::string> release(TiltUnit& unit, const std::stop_token& stop)
-{
-    if (const Result<void> released = unit.recover(stop); !released)
-        return tl::unexpected{released.error()};
-    const std::string trouble = unit.motor().trouble;
-    return unit.identity() + " is released" + (trouble.empty() ? "" : "; it says: " + trouble);
-}
-
-Result<double> bringToLevel(UnitMotion& motion)
-{
-    if (const Result<void> armed = motion.arm(); !armed)
-        return tl::unexpected{armed.error()};
-    const TiltUnit& unit = motion.unit();
-    const double level = std::clamp(kLevel, unit.lowest(), unit.highest());
-    if (const Result<void> moved = motion.moveTo(level, std::min(kSlowly, unit.fastest())); !moved)
-        return tl::unexpected{moved.error()};
-    const Result<double> there = motion.position();
-    if (const Result<void> rested = motion.rest(); !rested)
-        return tl::unexpected{rested.error()};
-    return there;
 }
 
 }  // namespace planewright

@@ -15,7 +15,7 @@
 
 namespace planewright {
 
-/// Moves a tilt unit outside of a scan: for a test of it, or to bring it to level.
+/// Moves a tilt unit outside of a scan: for a test of it, or to bring it home.
 ///
 /// One thread calls it. Whoever asks for the stop holds the unit at once, within one round trip and in his own thread;
 /// nothing moves afterwards. Whatever goes wrong holds the unit, and with the end of this it comes to rest.
@@ -39,13 +39,18 @@ public:
     /// it did not get there in three times the time that it should take, with where it is; Interrupted: a stop.
     Result<void> moveTo(double pitch, double speed);
 
+    /// Allows motion and goes home: to level, or as near as it may, slowly. It comes to rest there and is held; gives
+    /// where it is then [rad]. Errors: those of arm() and moveTo().
+    Result<double> goHome();
+
     /// Comes to rest in order, and stays there.
     Result<void> rest();
 
 private:
     Result<void> hold();
     Result<TiltSample> sample(std::chrono::nanoseconds until);
-    Result<void> moveUnheld(double pitch, double speed);
+    Result<void> travel(double pitch, double speed, const std::function<Result<void>()>& begin);
+    Result<void> travelUnheld(double pitch, double speed, const std::function<Result<void>()>& begin);
     tl::unexpected<Error> stopped() const;
 
     std::unique_ptr<TiltUnit> unit_;
@@ -54,13 +59,5 @@ private:
     std::atomic<bool> mayMove_{false};
     std::stop_callback<std::function<void()>> onStop_;  ///< last: the unit is there as long as it may be called
 };
-
-/// Releases a unit that has stopped by itself or in an emergency, after a person has seen to the cause; moves nothing.
-/// Gives what it is and how it is then. Never to be called unasked. Errors: those of TiltUnit::recover().
-Result<std::string> release(TiltUnit& unit, const std::stop_token& stop);
-
-/// Brings a unit to level, φ = 90°, or as near as it may, and holds it there; gives where it is then [rad]. Slow enough
-/// to be stopped by hand. Errors: those of UnitMotion.
-Result<double> bringToLevel(UnitMotion& motion);
 
 }  // namespace planewright

@@ -71,6 +71,7 @@ DeviceControl::DeviceControl(WindowParts& parts, ScanControl& scan)
     connect(&search_, &DeviceSearch::begun, this, &DeviceControl::refresh);
     connect(&search_, &DeviceSearch::found, this, &DeviceControl::show);
     connect(&parts_.session, &ScanSession::stateChanged, this, &DeviceControl::refresh);
+    connect(&parts_.session, &ScanSession::motionStoppedChanged, this, &DeviceControl::refresh);
     connectHealth();
 }
 
@@ -89,6 +90,8 @@ void DeviceControl::connectForm()
     connect(&panel.devices(), &DeviceForm::searchRequested, this, [this] { search(true); });
     connect(&panel.devices(), &DeviceForm::testRequested, this, &DeviceControl::test);
     connect(&panel.devices(), &DeviceForm::homeRequested, this, &DeviceControl::home);
+    connect(parts_.window->actions()[QStringLiteral("actHome")], &QAction::triggered, this, &DeviceControl::home);
+    connect(&panel.devices(), &DeviceForm::changed, this, &DeviceControl::refreshHome);
     connect(&panel.devices(), &DeviceForm::recoverRequested, this, &DeviceControl::recover);
 }
 
@@ -131,7 +134,22 @@ void DeviceControl::refresh()
     if (parts_.session.scanner())
         scanner_ = parts_.session.scanner();
     parts_.sourcePanel->devices().setTestable(isIdle());
+    parts_.sourcePanel->devices().setConnectedHead(hasConnectedHead());
     showFacts();
+}
+
+/// Where motion is stopped it says so.
+bool DeviceControl::hasConnectedHead() const
+{
+    const SessionState state = parts_.session.state();
+    const bool isStopped = parts_.session.isMotionStopped() && !parts_.session.health().empty() &&
+                           (state == SessionState::Ready || state == SessionState::Review);
+    return parts_.session.canGoHome() || isStopped;
+}
+
+void DeviceControl::refreshHome()
+{
+    parts_.window->actions()[QStringLiteral("actHome")]->setEnabled(parts_.sourcePanel->devices().canGoHome());
 }
 
 void DeviceControl::search(bool asks)
@@ -169,13 +187,18 @@ void DeviceControl::test()
 {
     const DeviceSetup setup = parts_.sourcePanel->devices().setup();
     const Result<AcquisitionSettings> settings = acquisitionWith(setup);
-    if (settings && isIdle())
+    if (settings && isIdle() && scan_.mayMove())
         trials_.test(setup.laser, noddingOf(setup, *settings));
 }
 
+/// What is connected, or else what is chosen.
 void DeviceControl::home()
 {
-    if (isIdle())
+    if (!scan_.mayMove())
+        return;
+    if (hasConnectedHead())
+        static_cast<void>(parts_.session.goHome());
+    else if (isIdle())
         trials_.home(tiltUnitAddress(parts_.sourcePanel->devices().setup()));
 }
 
@@ -215,7 +238,7 @@ void DeviceControl::connectHealth()
     connect(&healthTimer_, &QTimer::timeout, this, &DeviceControl::showFacts);
     healthTimer_.start();
     connect(&parts_.session, &ScanSession::statusChanged, this, &DeviceControl::showFacts);
-    showFacts();
+    refresh();
 }
 
 bool DeviceControl::eventFilter(QObject* watched, QEvent* event)

@@ -45,6 +45,8 @@ private:
     void showFacts();
     void refresh();
     bool isIdle() const;
+    bool hasConnectedHead() const;
+    void refreshHome();
 
     WindowParts& parts_;
     ScanControl& scan_;

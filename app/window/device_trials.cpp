@@ -3,44 +3,28 @@
 
 #include "app/window/device_trials.h"
 
-#include <cmath>
 #include <utility>
 
 #include "app/sources/device_checks.h"
 #include "app/sources/device_opener.h"
-#include "app/sources/unit_motion.h"
-#include "core/types/angle.h"
+#include "app/sources/unit_tasks.h"
 
 namespace planewright {
 
 namespace {
 
-Result<std::unique_ptr<TiltUnit>> openUnit(const std::string& tiltUnit, const std::stop_token& stop)
-{
-    const auto address = parseDeviceAddress(tiltUnit);
-    if (!address)
-        return tl::unexpected{address.error()};
-    return DeviceOpener(steadyClock()).openTiltUnit(*address, stop);
-}
-
-Result<std::string> releaseUnit(const std::string& tiltUnit, const std::stop_token& stop)
-{
-    const auto unit = openUnit(tiltUnit, stop);
-    if (!unit)
-        return tl::unexpected{unit.error()};
-    return release(**unit, stop);
-}
-
 Result<std::string> bringHome(const std::string& tiltUnit, const std::stop_token& stop)
 {
-    auto unit = openUnit(tiltUnit, stop);
-    if (!unit)
-        return tl::unexpected{unit.error()};
-    UnitMotion motion(std::move(*unit), steadyClock(), stop);
-    const Result<double> there = bringToLevel(motion);
-    if (!there)
-        return tl::unexpected{there.error()};
-    return motion.unit().identity() + " is held at " + QString::number(toDegrees(*there), 'f', 1).toStdString() + "°";
+    DeviceOpener opener(steadyClock());
+    return parseDeviceAddress(tiltUnit).and_then(
+        [&](const DeviceAddress& unit) { return bringUnitHome(opener, unit, steadyClock(), stop); });
+}
+
+Result<std::string> recoverUnit(const std::string& tiltUnit, const std::stop_token& stop)
+{
+    DeviceOpener opener(steadyClock());
+    return parseDeviceAddress(tiltUnit).and_then(
+        [&](const DeviceAddress& unit) { return releaseUnit(opener, unit, stop); });
 }
 
 }  // namespace
@@ -80,7 +64,7 @@ void DeviceTrials::recover(const std::string& tiltUnit)
 {
     run({"Release the tilt unit"}, [this, tiltUnit](const std::stop_token& stop) {
         tell(0, std::nullopt);
-        tell(0, releaseUnit(tiltUnit, stop));
+        tell(0, recoverUnit(tiltUnit, stop));
     });
 }
 

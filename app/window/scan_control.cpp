@@ -194,10 +194,16 @@ void ScanControl::openWith(const SimulatedScanner& simulation, const QString& fi
         addRecent(QFileInfo(fileOrAddress).absoluteFilePath());
 }
 
-void ScanControl::start()
+bool ScanControl::mayMove()
 {
     if (parts_.session.isMotionStopped())
         showMotionStopped(true);
+    return !parts_.session.isMotionStopped();
+}
+
+void ScanControl::start()
+{
+    mayMove();
     prepareRecording();
     act(parts_.session.start());
 }
@@ -313,7 +319,7 @@ void ScanControl::refreshOverlay()
     const auto& chip = kChips[static_cast<std::size_t>(state)];
     OverlayContent content;
     content.stateColour = QColor(QLatin1String(chip.colour));
-    content.stateText = tr(chip.text);
+    content.stateText = parts_.session.goesHome() ? tr("⟳ Moving to level") : tr(chip.text);
     const int planned = map.plannedSteps;
     const bool looksBack = map.snapshot && !parts_.playhead.followsNewest();
     const int newest = newestStep();

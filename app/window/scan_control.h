@@ -27,6 +27,8 @@ public:
 
     /// Names the phase of a step that is looked at; empty for none.
     void setSeenPhase(const QString& phase);
+    /// Motion is stopped: says so, with what releases it, and gives false.
+    bool mayMove();
 
 private:
     void openWith(const SimulatedScanner& simulation, const QString& fileOrAddress, bool starts);

@@ -101,8 +101,7 @@ void ScriptRunner::settle()
 {
     // What an action leads to comes by events as well: layouts above all.
     QCoreApplication::processEvents();
-    waitUntil([this] { return !parts_.isAtWork() && isShown(parts_); },
-              kSettleTime);
+    waitUntil([this] { return !parts_.isAtWork() && isShown(parts_); }, kSettleTime);
 }
 
 Result<void> ScriptRunner::open(const QJsonObject& line)

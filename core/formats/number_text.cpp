@@ -33,14 +33,4 @@ std::string exactNumber(double value)
     return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-std::string fixedText(double value, int digits)
-{
-    char text[400];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits);
-    std::string number{text, end.ptr};
-    if (number.starts_with('-') && number.find_first_not_of("-0.") == std::string::npos)
-        number.erase(0, 1);
-    return number;
-}
-
 }  // namespace planewright

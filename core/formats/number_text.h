@@ -17,7 +17,4 @@ std::string formatNumber(double value);
 /// The shortest decimal form that reads back to the same number, never by the locale.
 std::string exactNumber(double value);
 
-/// A number with so many digits behind the point, whatever the locale; never "-0".
-std::string fixedText(double value, int digits);
-
 }  // namespace planewright

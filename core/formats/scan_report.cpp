@@ -18,6 +18,7 @@
 #include "core/geometry/plane_angles.h"
 #include "core/params/registry.h"
 #include "core/types/angle.h"
+#include "core/types/angle_text.h"
 #include "core/types/plane_words.h"
 
 namespace planewright {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/formats/number_text.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 

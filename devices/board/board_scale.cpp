@@ -89,13 +89,4 @@ double Scale::highest() const
     return std::max(pitch(low_), pitch(high_));
 }
 
-std::string toDegreesText(double radians)
-{
-    if (!(std::abs(radians) < 1e9))
-        return "no angle";
-    const long hundredths = std::lround(toDegrees(radians) * 100.0);
-    const std::string digits = std::to_string(std::abs(hundredths) % 100 + 100).substr(1);
-    return (hundredths < 0 ? "-" : "") + std::to_string(std::abs(hundredths) / 100) + '.' + digits + "°";
-}
-
 }  // namespace planewright::board

@@ -45,7 +45,4 @@ private:
     int topSpeed_;
 };
 
-/// An angle as people read it: "11.73°", "-0.29°".
-std::string toDegreesText(double radians);
-
 }  // namespace planewright::board

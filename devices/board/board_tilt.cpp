@@ -100,8 +100,9 @@ Result<void> BoardTilt::configure(const std::stop_token& stop)
     config.low = static_cast<std::uint16_t>(scale_.low());
     config.high = static_cast<std::uint16_t>(scale_.high());
     config.topSpeed = static_cast<std::uint16_t>(scale_.topSpeed());
-    config.park = static_cast<std::uint16_t>(std::clamp<int>(board_.middle, scale_.low(), scale_.high()));
-    config.parkSpeed = config.topSpeed;
+    config.park = static_cast<std::uint16_t>(scale_.nearest(home()));
+    config.parkSpeed = static_cast<std::uint16_t>(
+        std::clamp(static_cast<int>(std::lround(homeSpeed() / scale_.step())), 1, scale_.topSpeed()));
     config.tolerance = static_cast<std::uint8_t>(options_.tolerance);
     config.settleMs = static_cast<std::uint16_t>(options_.settle.count());
     config.heartbeatMs = static_cast<std::uint16_t>(options_.watchdog.count());

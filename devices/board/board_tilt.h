@@ -65,6 +65,8 @@ public:
     /// Errors (NeedsOperator): the board stays in FAULT, or its button for emergencies is still pressed.
     Result<void> recover(const std::stop_token& stop) override;
     Result<void> moveTo(double pitch, double speed) override;
+    /// HOME, to the angle that the board was configured with when it was connected.
+    Result<void> goHome() override;
     double nearestPitch(double pitch) const override { return scale_.pitch(scale_.nearest(pitch)); }
     Result<std::optional<TiltSample>> sample(std::chrono::nanoseconds deadline, const std::stop_token& stop) override;
     Result<void> stop() override;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/types/angle_text.h"
 #include "devices/board/board_tilt.h"
 
 /// What a control board does once it is connected: motion, samples, slices.
@@ -53,6 +54,13 @@ Result<void> BoardTilt::moveTo(double pitch, double speed)
     return begin(Move{static_cast<std::uint16_t>(*goal), static_cast<std::uint16_t>(*fast), 1, 0}, *goal);
 }
 
+Result<void> BoardTilt::goHome()
+{
+    if (Result<void> may = mayMove(); !may)
+        return may;
+    return begin(Home{}, scale_.nearest(home()));
+}
+
 Result<void> BoardTilt::sweep(const BoardSweep& plan)
 {
     const Result<int> first = countsOf(plan.first);
@@ -64,8 +72,8 @@ Result<void> BoardTilt::sweep(const BoardSweep& plan)
     const double way = std::abs(*last - *first);
     if (!(step >= 1.0) || plan.slices < 1 || plan.slices > 65'535 || (plan.slices - 1) * step > way)
         return failure(ErrorCode::Usage, std::to_string(plan.slices) + " slices at steps of " +
-                                             toDegreesText(plan.step) + " do not fit between " +
-                                             toDegreesText(plan.first) + " and " + toDegreesText(plan.last));
+                                             degreesText(plan.step, 2) + " do not fit between " +
+                                             degreesText(plan.first, 2) + " and " + degreesText(plan.last, 2));
     if (Result<void> may = mayMove(); !may)
         return may;
     Sweep request;
@@ -214,16 +222,16 @@ Result<int> BoardTilt::countsOf(double pitch) const
 {
     // The mounting's limits lie up to a step beyond those that the board can have.
     if (!(pitch >= lowest() - scale_.step() && pitch <= highest() + scale_.step()))
-        return failure(ErrorCode::Usage, toDegreesText(pitch) + " is beyond its limits, " + toDegreesText(lowest()) +
-                                             " to " + toDegreesText(highest()));
+        return failure(ErrorCode::Usage, degreesText(pitch, 2) + " is beyond its limits, " + degreesText(lowest(), 2) +
+                                             " to " + degreesText(highest(), 2));
     return scale_.nearest(pitch);
 }
 
 Result<int> BoardTilt::countsASecond(double speed) const
 {
     if (!(speed > 0.0 && speed <= fastest() + scale_.step()))
-        return failure(ErrorCode::Usage, toDegreesText(speed) + " a second is no speed for it; it moves with up to " +
-                                             toDegreesText(fastest()) + " a second");
+        return failure(ErrorCode::Usage, degreesText(speed, 2) + " a second is no speed for it; it moves with up to " +
+                                             degreesText(fastest(), 2) + " a second");
     return std::clamp(static_cast<int>(std::lround(speed / scale_.step())), 1, scale_.topSpeed());
 }
 

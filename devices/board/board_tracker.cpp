@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/types/angle_text.h"
+
 namespace planewright {
 
 using namespace board;
@@ -136,7 +138,7 @@ void BoardTracker::takeOne(const PositionEvent& event, const BoardLink::Received
         ++late_;
     if (std::exchange(looksAtGoal_, false) && goal_ && std::abs(event.pos - *goal_) > tolerance_ + 1) {
         disarm({"board-slip", "says that it has arrived, but the angle it measures is " +
-                                  toDegreesText(std::abs(event.pos - *goal_) * scale_.step()) +
+                                  degreesText(std::abs(event.pos - *goal_) * scale_.step(), 2) +
                                   " away from where it was to go; look whether the motor or its horn slips"});
     }
     const bool hasMoved = lastPosition_ && std::abs(event.pos - *lastPosition_) > 1;
@@ -176,7 +178,7 @@ void BoardTracker::takeOne(const LimitEvent& event, const BoardLink::Received& r
 {
     if (received.order < armedOrder_)
         return;
-    disarm({"board-limit", "stopped the motor " + toDegreesText(std::abs(event.pos - event.limit) * scale_.step()) +
+    disarm({"board-limit", "stopped the motor " + degreesText(std::abs(event.pos - event.limit) * scale_.step(), 2) +
                                " beyond its limit; look what pushed it there"});
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/types/angle_text.h"
 #include "devices/dynamixel/dynamixel_tilt.h"
-#include "devices/dynamixel/number_text.h"
 #include "devices/dynamixel/requests.h"
 
 namespace planewright {
@@ -65,7 +65,7 @@ Result<void> DynamixelTilt::standStill()
     const int goal = std::clamp(state->position, settings_.lowestGoal, settings_.highestGoal);
     if (std::abs(double(goal) - state->position) > settings_.tolerance)
         return fail(ErrorCode::NeedsOperator,
-                    link_.subject() + " stands at " + angleText(angles_.pitch(state->position)) +
+                    link_.subject() + " stands at " + degreesText(angles_.pitch(state->position), 1) +
                         ", beyond its own angle limits; turn it back by hand, then arm it again");
     if (model_->table->watchdog.exists() && settings_.firmware >= kFirmwareWithWatchdog) {
         if (auto written = writeRegister(model_->table->watchdog, 0); !written)
@@ -173,7 +173,7 @@ Result<void> DynamixelTilt::recover(const std::stop_token& stop)
     if (state.temperature >= settings_.temperatureLimit - kCooled)
         return disarm(ErrorCode::NeedsOperator, "servo-warm",
                       withNumbers("is too warm") + "; wait until it is below " +
-                          numberText(settings_.temperatureLimit - kCooled, 0) + " °C, then recover it again");
+                          fixedText(settings_.temperatureLimit - kCooled, 0) + " °C, then recover it again");
     if (state.voltage < settings_.lowestVoltage || state.voltage > settings_.highestVoltage)
         return disarm(ErrorCode::NeedsOperator, "servo-supply",
                       withNumbers("has a wrong supply") + "; see to it, then recover it again");

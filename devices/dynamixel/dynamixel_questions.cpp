@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/types/angle_text.h"
 #include "devices/dynamixel/dynamixel_tilt.h"
-#include "devices/dynamixel/number_text.h"
 #include "devices/dynamixel/requests.h"
 
 namespace planewright {
@@ -20,7 +20,7 @@ void put(std::vector<std::uint8_t>& bytes, ServoRegion region, const ServoRegist
 
 std::string percent(double fraction)
 {
-    return numberText(100.0 * fraction, 0) + " %";
+    return fixedText(100.0 * fraction, 0) + " %";
 }
 
 }  // namespace
@@ -175,10 +175,9 @@ tl::unexpected<Error> DynamixelTilt::disarm(ErrorCode code, std::string_view fau
 std::string DynamixelTilt::withNumbers(const std::string& what) const
 {
     const Shared known = shared();
-    return what + ": load " + percent(known.state.load) + ", " + numberText(known.state.voltage, 1) + " V (allowed " +
-           numberText(known.settings.lowestVoltage, 1) + " to " + numberText(known.settings.highestVoltage, 1) + "), " +
-           numberText(known.state.temperature, 0) + " °C (limit " + numberText(known.settings.temperatureLimit, 0) +
-           ")";
+    return what + ": load " + percent(known.state.load) + ", " + fixedText(known.state.voltage, 1) + " V (allowed " +
+           fixedText(known.settings.lowestVoltage, 1) + " to " + fixedText(known.settings.highestVoltage, 1) + "), " +
+           fixedText(known.state.temperature, 0) + " °C (limit " + fixedText(known.settings.temperatureLimit, 0) + ")";
 }
 
 }  // namespace planewright

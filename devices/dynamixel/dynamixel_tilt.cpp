@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/types/angle.h"
-#include "devices/dynamixel/number_text.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 
@@ -45,11 +45,12 @@ Result<void> DynamixelTilt::moveTo(double pitch, double speed)
     if (auto may = checkMayMove(); !may)
         return may;
     if (!std::isfinite(pitch) || !angles_.allows(pitch))
-        return fail(ErrorCode::Usage, link_.subject() + ": the pitch " + angleText(pitch) + " is beyond the limits " +
-                                          angleText(lowest()) + " to " + angleText(highest()));
+        return fail(ErrorCode::Usage, link_.subject() + ": the pitch " + degreesText(pitch, 1) +
+                                          " is beyond the limits " + degreesText(lowest(), 1) + " to " +
+                                          degreesText(highest(), 1));
     if (!(speed > 0.0 && speed <= fastest() * (1.0 + 1e-9)))
-        return fail(ErrorCode::Usage, link_.subject() + ": the speed " + angleText(speed) +
-                                          "/s is not between 0 and the limit " + angleText(fastest()) + "/s");
+        return fail(ErrorCode::Usage, link_.subject() + ": the speed " + degreesText(speed, 1) +
+                                          "/s is not between 0 and the limit " + degreesText(fastest(), 1) + "/s");
     if (auto sound = checkForReset(clock_.now()); !sound)
         return sound;
     const int from = shared().state.position;
@@ -127,9 +128,9 @@ Result<void> DynamixelTilt::checkForReset(Time now)
         return tl::unexpected(drive.error());
     if (drive->torqueOn)
         return {};
-    return disarm(ErrorCode::DeviceLost, "servo-power-loss",
+    return disarm(ErrorCode::NeedsOperator, "servo-power-loss",
                   "has lost its power for a while: its torque is off, and its shaft may have "
-                  "turned. Check its supply, arm it and go to the start again");
+                  "turned. Check its supply, arm it again and bring it home first");
 }
 
 /// A position that it cannot have turned to since the last sample.
@@ -150,8 +151,8 @@ Result<void> DynamixelTilt::checkForJump(const ServoState& state, Time at)
     writeGoal(known.state.position);
     noteState(known.state, known.stateAt, false);
     return disarm(ErrorCode::DeviceLost, "servo-jump",
-                  "says that it has turned by " + angleText(distance * model_->countAngle) + " in " +
-                      numberText(1000.0 * secondsOf(at - known.stateAt), 0) +
+                  "says that it has turned by " + degreesText(distance * model_->countAngle, 1) + " in " +
+                      fixedText(1000.0 * secondsOf(at - known.stateAt), 0) +
                       " ms, which it cannot. Check its supply, its gear and its cable, then connect again");
 }
 
@@ -178,8 +179,8 @@ Result<bool> DynamixelTilt::followMotion(const ServoState& state, Time at)
     watch_.reset();
     writeGoal(state.position);
     return disarm(ErrorCode::NeedsOperator, "servo-stuck",
-                  withNumbers("is stuck: it was told twice to go to " + angleText(angles_.pitch(watchedGoal_)) +
-                              " and stands at " + angleText(angles_.pitch(state.position))) +
+                  withNumbers("is stuck: it was told twice to go to " + degreesText(angles_.pitch(watchedGoal_), 1) +
+                              " and stands at " + degreesText(angles_.pitch(state.position), 1)) +
                       ". It holds there now; see what blocks it, then arm it again");
 }
 
@@ -189,7 +190,7 @@ bool DynamixelTilt::isLate(const ServoReply& reply)
     std::string lateness;
     if (isLate) {
         link_.countLate();
-        lateness = link_.subject() + " answers " + numberText(2000.0 * secondsOf(reply.uncertainty), 0) +
+        lateness = link_.subject() + " answers " + fixedText(2000.0 * secondsOf(reply.uncertainty), 0) +
                    " ms late; set the latency timer of its adapter to 1 ms";
     }
     share([&](Shared& shared) { shared.lateness = std::move(lateness); });

@@ -64,6 +64,7 @@ public:
     /// True from the beginning of a hold() to the end of an arm(), or to a connect(). Any thread.
     bool isHeld() const { return holds_ != holdsTakenBack_; }
 
+    bool holdsItself() const override { return shared().torqueOn; }
     LinkHealth health() const override;
     std::vector<FaultRecord> takeLog() override { return link_.log().take(); }
     MotorState motor() const override;

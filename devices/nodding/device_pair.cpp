@@ -117,6 +117,10 @@ Result<void> DevicePair::startLaser(const LaserBeams& beams, const std::stop_tok
 {
     if (isScanning_)
         return {};
+    {
+        const std::scoped_lock lock{mutex_};
+        trouble_.clear();
+    }
     const Result<void> started = laser_->start(beams, stop);
     isScanning_ = started.has_value();
     laserFailed_ = !started;
@@ -178,6 +182,41 @@ void DevicePair::forget()
     track_.clear();
     scans_.clear();
     lastScanAt_.reset();
+}
+
+void DevicePair::lookAfter(const std::stop_token& stop)
+{
+    const Result<void> looked = look(stop);
+    if (stop.stop_requested())
+        return;
+    if (!looked && looked.error().code == ErrorCode::DeviceLost)
+        close();
+    const std::scoped_lock lock{mutex_};
+    trouble_ = looked ? std::string{} : looked.error().message;
+}
+
+/// What the unit has said since it was looked after last is passed over, up to an angle of now.
+Result<void> DevicePair::look(const std::stop_token& stop)
+{
+    if (const Result<void> opened = open(stop); !opened)
+        return opened;
+    laserFailed_ = false;
+    const Time begun = clock_.now();
+    Result<std::optional<TiltSample>> sample;
+    do {
+        sample = unit_->sample(begun + kSampleWait, stop);
+        if (!sample)
+            return tl::unexpected{sample.error()};
+    } while (*sample && (*sample)->at < begun && clock_.now() < begun + kSampleWait);
+    const Result<void> there = isScanning_ ? Result<void>{} : laser_->lookAfter();
+    laserFailed_ = !there;
+    return there;
+}
+
+std::string DevicePair::trouble() const
+{
+    const std::scoped_lock lock{mutex_};
+    return trouble_;
 }
 
 void DevicePair::close()

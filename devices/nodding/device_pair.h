@@ -61,6 +61,13 @@ public:
     /// Forgets what was heard.
     void forget();
 
+    /// Between scans: asks the unit how it is and looks whether the laser is still there, in less than a tenth of a
+    /// second, and opens anew what was lost. Moves nothing; the laser is asked nothing. What is wrong is told by
+    /// trouble(), until it is over.
+    void lookAfter(const std::stop_token& stop);
+    /// Empty, or what was wrong when they were looked after last.
+    std::string trouble() const;
+
     /// Closes what has failed, as far as that is known, or else both: open() begins anew with it.
     void close();
 
@@ -87,6 +94,7 @@ private:
         double resolution = 0.0;
     };
 
+    Result<void> look(const std::stop_token& stop);
     Result<void> takeScans(Time deadline, const std::stop_token& stop);
     Result<void> checkSame(const Laser& laser) const;
     Result<void> checkSame(const TiltUnit& unit) const;
@@ -96,10 +104,11 @@ private:
 
     NoddingDevices devices_;
     const Clock& clock_;
-    mutable std::mutex mutex_;  ///< of the two pointers and the records, where other threads read them
+    mutable std::mutex mutex_;  ///< of the two pointers, records and trouble, where other threads read them
     std::shared_ptr<Laser> laser_;
     std::shared_ptr<TiltUnit> unit_;
     std::vector<FaultRecord> records_;  ///< that nobody has taken, of devices that were closed
+    std::string trouble_;               ///< between scans
     std::optional<LaserKind> firstLaser_;
     std::optional<UnitKind> firstUnit_;
     bool isScanning_ = false;

@@ -3,19 +3,15 @@
 
 #include "devices/nodding/health_facts.h"
 
-#include <charconv>
+#include <algorithm>
 
 #include "core/types/angle.h"
+#include "core/types/angle_text.h"
+#include "devices/fault_words.h"
 
 namespace planewright {
 
 namespace {
-
-std::string fixed(double number, int digits)
-{
-    char text[64];
-    return {text, std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, digits).ptr};
-}
 
 std::string losses(const LinkHealth& link)
 {
@@ -29,17 +25,28 @@ bool isBad(const LinkHealth& link)
     return 100 * (link.corrupt + link.lost) > link.good;
 }
 
+/// "laser-sum": "3 × a line with a wrong sum".
+void addFaults(const FaultCounts& counts, std::vector<HealthFact>& facts)
+{
+    for (const auto& [code, count] : counts) {
+        const std::string words{faultWords(code)};
+        facts.push_back({code, std::to_string(count) + " ×" + (words.empty() ? "" : " " + words), false});
+    }
+}
+
 }  // namespace
 
 std::vector<HealthFact> factsOf(const NoddingHealth& health)
 {
     std::vector<HealthFact> facts;
-    for (const std::string& trouble : {health.laser.trouble, health.tilt.trouble, health.motor.trouble}) {
-        if (!trouble.empty())
+    // A motor's trouble is often that of its link.
+    for (const std::string& trouble :
+         {health.trouble, health.laser.trouble, health.tilt.trouble, health.motor.trouble}) {
+        if (!trouble.empty() && std::ranges::find(facts, trouble, &HealthFact::value) == facts.end())
             facts.push_back({"", trouble, true, "▲ " + trouble});
     }
     const auto addLink = [&](const std::string& name, const std::string& what, const LinkHealth& link, bool isBrief) {
-        const std::string rate = fixed(link.rate, 1) + " " + what + "/s";
+        const std::string rate = fixedText(link.rate, 1) + " " + what + "/s";
         facts.push_back({name, rate, false, isBrief ? rate : ""});
         facts.push_back({what, std::to_string(link.good) + ", " + losses(link), isBad(link),
                          isBrief       ? losses(link)
@@ -48,17 +55,19 @@ std::vector<HealthFact> factsOf(const NoddingHealth& health)
     };
     addLink("Laser", "scans", health.laser, true);
     addLink("Tilt unit", "angles", health.tilt, false);
-    const std::string load = fixed(100.0 * health.motor.load, 0) + " %";
+    const std::string load = fixedText(100.0 * health.motor.load, 0) + " %";
     facts.push_back({"Load", load, false, "load " + load});
     if (health.motor.voltage > 0.0)
-        facts.push_back({"Supply", fixed(health.motor.voltage, 1) + " V", false});
+        facts.push_back({"Supply", fixedText(health.motor.voltage, 1) + " V", false});
     if (health.motor.temperature)
-        facts.push_back({"Temperature", fixed(*health.motor.temperature, 0) + " °C", false,
-                         fixed(*health.motor.temperature, 0) + " °C"});
+        facts.push_back({"Temperature", fixedText(*health.motor.temperature, 0) + " °C", false,
+                         fixedText(*health.motor.temperature, 0) + " °C"});
     const std::chrono::duration<double, std::milli> skew = health.largestSkew;
-    facts.push_back({"Largest skew", fixed(skew.count(), 1) + " ms", false});
-    facts.push_back({"Tilt step", fixed(toDegrees(health.pitchStep), 3) + "°", false});
+    facts.push_back({"Largest skew", fixedText(skew.count(), 1) + " ms", false});
+    facts.push_back({"Tilt step", fixedText(toDegrees(health.pitchStep), 3) + "°", false});
     facts.push_back({"Slices lost", std::to_string(health.slicesLost), health.slicesLost > 0});
+    addFaults(health.laser.faults, facts);
+    addFaults(health.tilt.faults, facts);
     return facts;
 }
 

@@ -17,13 +17,14 @@ struct NoddingHealth {
     LinkHealth laser;
     LinkHealth tilt;
     MotorState motor;
+    std::string trouble;                      ///< empty, or what is wrong between scans
     std::chrono::nanoseconds largestSkew{0};  ///< farthest in time of an angle from a beam that it was used for
     double pitchStep = 0.0;                   ///< from slice to slice, as the unit really does it [rad]
     int slicesLost = 0;                       ///< of this scan, that were passed over for good
 };
 
-/// The same in words, those that a single line shows among them: rates, what was lost, corrupt or late, load, voltage
-/// and temperature, and troubles in front.
+/// The same in words, with how often each kind of fault was seen; those that a single line shows among them: rates,
+/// what was lost, corrupt or late, load, voltage and temperature, and troubles in front.
 std::vector<HealthFact> factsOf(const NoddingHealth& health);
 
 }  // namespace planewright

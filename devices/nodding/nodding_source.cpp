@@ -10,16 +10,13 @@ namespace planewright {
 
 namespace {
 
-using Seconds = std::chrono::duration<double>;
-
 /// How often a held unit is asked where it is.
 constexpr std::chrono::milliseconds kPauseTick{50};
 constexpr int kMostAttempts = 2;
 /// The head does not go on while the laser sends nothing for so many turns of its mirror.
 constexpr int kMostSilentTurns = 10;
 constexpr int kMostSilences = 3;
-/// A driver that neither gives an angle or a scan nor an error for so long has not found what is wrong.
-constexpr std::chrono::seconds kFirstAngle{2};
+/// A driver that neither gives a scan nor an error for so long has not found what is wrong.
 constexpr std::chrono::seconds kFirstScan{5};
 
 }  // namespace
@@ -48,6 +45,7 @@ Result<void> NoddingSource::fit()
     if (!fitted)
         return tl::unexpected{fitted.error()};
     fitted_ = *fitted;
+    taker_ = newTaker();
 
     description_.scanner = identity.model.empty() ? identity.product : identity.model;
     description_.firstBearing = fitted_.firstBearing;
@@ -87,6 +85,15 @@ Result<void> NoddingSource::begin(const std::stop_token& stop)
     return {};
 }
 
+SliceTaker NoddingSource::newTaker()
+{
+    const TiltUnit& unit = devices_.unit();
+    return {plan_,
+            fitted_,
+            devices_.laser().limits(),
+            {unit.identity(), unit.lowest(), unit.highest(), unit.resolution(), unit.fastest(), unit.tolerance()}};
+}
+
 /// The laser comes first: a unit that is armed has to be heard of at short intervals, and a laser that is slow to start
 /// leaves no time for that.
 Result<void> NoddingSource::getReady(const std::stop_token& stop)
@@ -94,10 +101,7 @@ Result<void> NoddingSource::getReady(const std::stop_token& stop)
     if (const Result<void> opened = devices_.open(stop); !opened)
         return opened;
     if (std::exchange(isNew_, false)) {
-        TiltUnit& unit = devices_.unit();
-        taker_ = SliceTaker(
-            plan_, fitted_, devices_.laser().limits(),
-            {unit.identity(), unit.lowest(), unit.highest(), unit.resolution(), unit.fastest(), unit.tolerance()});
+        taker_ = newTaker();
         slicesLost_ = 0;
     }
     if (const Result<void> started = devices_.startLaser(fitted_.steps, stop); !started)
@@ -108,6 +112,8 @@ Result<void> NoddingSource::getReady(const std::stop_token& stop)
         return scanned;
     if (const Result<void> armed = arm(stop); !armed)
         return armed;
+    if (const Result<void> home = mustGoHome_ ? travelHome(stop) : Result<void>{}; !home)
+        return home;
     if (const Result<void> travelled = travelTo(taker_.start(), stop); !travelled)
         return travelled;
     isReady_ = !stop.stop_requested() && !isHeld();
@@ -128,60 +134,6 @@ Result<void> NoddingSource::awaitScan(const std::stop_token& stop)
             return fail(ErrorCode::DeviceLost, name() + ": the laser sends no scans; look at its cable and its supply");
     }
     return {};
-}
-
-/// A stop of motion that comes while it is armed must hold all the same: it is looked for again before anything moves.
-Result<void> NoddingSource::arm(const std::stop_token& stop)
-{
-    if (isArmed_ || isHeld() || stop.stop_requested())
-        return {};
-    TiltUnit& unit = devices_.unit();
-    Result<void> armed = unit.arm(stop);
-    if (!armed && armed.error().code == ErrorCode::NeedsOperator && takePermission()) {
-        if (const Result<void> recovered = unit.recover(stop); !recovered)
-            return recovered;
-        armed = unit.arm(stop);
-    }
-    if (!armed)
-        return armed;
-    isArmed_ = true;
-    return isHeld() ? rest() : Result<void>{};
-}
-
-Result<void> NoddingSource::travelTo(const SliceTaker::Aim& start, const std::stop_token& stop)
-{
-    if (isHeld() || stop.stop_requested())
-        return {};
-    if (const Result<void> moved = devices_.unit().moveTo(start.pitch, start.speed); !moved)
-        return moved;
-    const Time from = clock_.now();
-    Time until = from + kFirstAngle;
-    for (bool isHeard = false; !stop.stop_requested() && !isHeld();) {
-        if (const Result<void> heard = devices_.hear(stop); !heard)
-            return heard;
-        while (devices_.takeScan()) {
-        }
-        const TiltTrack& track = devices_.track();
-        if (taker_.restsSince(start.pitch, track))
-            return {};
-        if (!isHeard && !track.isEmpty()) {
-            isHeard = true;
-            const Seconds most{3.0 * std::abs(track.last().pitch - start.pitch) / start.speed + 0.5};
-            until = from + std::chrono::round<Time>(most);
-        }
-        if (clock_.now() <= until)
-            continue;
-        const std::string unit = devices_.unit().identity();
-        return isHeard ? fail(ErrorCode::NeedsOperator,
-                              unit +
-                                  ": the head does not reach the angle at which the scan begins; look whether "
-                                  "something blocks it, and whether its power is on")
-                       : fail(ErrorCode::DeviceLost,
-                              unit +
-                                  ": no angle that can be used has come for 2 s; look at its cable, and at what "
-                                  "else the machine is busy with");
-    }
-    return rest();
 }
 
 /// Sends the unit to where it has to go now.

@@ -24,7 +24,8 @@ namespace planewright {
 /// Slices have the angle that was measured, never the one that was asked for. Nothing moves before begin(), and
 /// whatever goes wrong brings the unit to rest: next() gives the error, and the next call of it tries to go on at the
 /// missing slice. What a unit has stopped for by itself, or by its button for emergencies, is cleared by the first
-/// begin() or next() after release() alone.
+/// begin(), next() or goHome() after release() alone. So is the loss of a servo's power, whatever came between: the
+/// head then goes home, slowly, before it goes anywhere else.
 class NoddingSource : public ScanSource {
 public:
     /// Opens both devices and fits the plan to them; moves nothing. Errors: those of the devices; Usage for a plan that
@@ -41,6 +42,8 @@ public:
     Result<void> begin(const std::stop_token& stop) override;
     Result<std::optional<ScanSlice>> next(const std::stop_token& stop) override;
     Result<void> end() override;
+    void lookAfter(const std::stop_token& stop) override;
+    Result<std::optional<double>> goHome(const std::stop_token& stop) override;
     /// The head comes to rest with the call of next() that is under way, or the next one; where that fails it gives the
     /// error.
     Result<void> pause() override;
@@ -58,11 +61,16 @@ private:
     NoddingSource(NoddingDevices devices, const ScanPlan& plan, const Clock& clock);
 
     Result<void> fit();
+    SliceTaker newTaker();
     /// From any state to one in which the next slice can be taken: devices open, laser scanning, head where it begins.
     Result<void> getReady(const std::stop_token& stop);
     Result<void> awaitScan(const std::stop_token& stop);
     Result<void> arm(const std::stop_token& stop);
+    Result<void> mindPower();
     Result<void> travelTo(const SliceTaker::Aim& start, const std::stop_token& stop);
+    Result<void> travelHome(const std::stop_token& stop);
+    Result<void> arrive(const SliceTaker::Aim& there, Time resting, const std::stop_token& stop);
+    Result<std::optional<double>> comeHome(const std::stop_token& stop);
     Result<void> aim();
     /// One thing that has to be done before the next slice, or the slice.
     Result<std::optional<ScanSlice>> goOn(const std::stop_token& stop);
@@ -73,6 +81,7 @@ private:
     bool isHeld() const;
     bool isMotionStopped() const;
     bool takePermission();
+    bool hasPermission() const;
     int pauses() const;
     tl::unexpected<Error> fault(Error error);
 
@@ -91,10 +100,12 @@ private:
 
     // The acquisition thread's own.
     SliceTaker taker_;
-    bool isNew_ = true;     ///< taker_ is to be made
-    bool isArmed_ = false;  ///< and not told to rest since
-    bool isReady_ = false;  ///< the head is where the next slice begins, and the laser scans
-    bool isAimed_ = false;  ///< the unit has been told to go on from there
+    bool isNew_ = true;        ///< taker_ is to be made
+    bool isArmed_ = false;     ///< and not told to rest since
+    bool hasHeld_ = false;     ///< it has been armed before
+    bool mustGoHome_ = false;  ///< it has lost its power since then
+    bool isReady_ = false;     ///< the head is where the next slice begins, and the laser scans
+    bool isAimed_ = false;     ///< the unit has been told to go on from there
     int seenPauses_ = 0;
     Time heardAt_{0};   ///< the last slice, or when it began
     int attempts_ = 0;  ///< to reach the angle of the next slice

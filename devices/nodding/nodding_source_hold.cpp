@@ -49,13 +49,19 @@ void NoddingSource::release()
 
 NoddingHealth NoddingSource::deviceHealth() const
 {
-    return {devices_.laserHealth(), devices_.tiltHealth(), devices_.motor(),
+    return {devices_.laserHealth(), devices_.tiltHealth(), devices_.motor(), devices_.trouble(),
             Time{largestSkew_},     fitted_.pitchStep,     slicesLost_};
 }
 
 std::vector<HealthFact> NoddingSource::health() const
 {
     return factsOf(deviceHealth());
+}
+
+bool NoddingSource::hasPermission() const
+{
+    const std::scoped_lock lock{mutex_};
+    return mayRecover_;
 }
 
 bool NoddingSource::isHeld() const

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "core/types/angle_text.h"
 #include "core/types/recording.h"
 
 namespace planewright {
@@ -15,18 +15,10 @@ namespace {
 
 /// A sweep may be off the wanted one by this share of its step.
 constexpr double kMostOff = 0.1;
-/// What small steps are told in: ten-thousandths of a degree.
-constexpr double kFine = 10'000.0;
+/// Decimals of a degree that small steps are told with.
+constexpr int kFine = 4;
 /// Angles are asked for with two decimals of a degree: what is beyond a limit by less is meant to be at it.
 constexpr double kSlack = degrees(0.01);
-
-std::string inDegrees(double angle, double parts = 100.0)
-{
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::round(toDegrees(angle) * parts) / parts << "°";
-    return text.str();
-}
 
 Result<void> checkBearings(const ScanPlan& plan, const LaserLimits& laser)
 {
@@ -34,11 +26,12 @@ Result<void> checkBearings(const ScanPlan& plan, const LaserLimits& laser)
     const double highest = laser.bearing(laser.lastStep);
     if (plan.lastBearing <= plan.firstBearing)
         return fail(ErrorCode::Usage,
-                    "the scan angle ends at " + inDegrees(plan.lastBearing) + ", where or before it begins");
+                    "the scan angle ends at " + degreesText(plan.lastBearing, 2) + ", where or before it begins");
     if (plan.firstBearing < lowest - kSlack || plan.lastBearing > highest + kSlack)
-        return fail(ErrorCode::Usage, "the laser sees from " + inDegrees(lowest) + " to " + inDegrees(highest) +
-                                          "; the plan asks for " + inDegrees(plan.firstBearing) + " to " +
-                                          inDegrees(plan.lastBearing));
+        return fail(ErrorCode::Usage, "the laser sees from " + degreesText(lowest, 2) + " to " +
+                                          degreesText(highest, 2) + "; the plan asks for " +
+                                          degreesText(plan.firstBearing, 2) + " to " +
+                                          degreesText(plan.lastBearing, 2));
     return {};
 }
 
@@ -72,9 +65,9 @@ Result<void> checkPitches(const ScanPlan& plan, const TiltUnit& unit)
     const double first = plan.pitch(0);
     const double last = plan.pitch(plan.slices - 1);
     if (!isWithin(plan, plan.pitchStep, unit))
-        return fail(ErrorCode::Usage, "the tilt unit may go from " + inDegrees(unit.lowest()) + " to " +
-                                          inDegrees(unit.highest()) + "; the plan asks for " + inDegrees(first) +
-                                          " to " + inDegrees(last));
+        return fail(ErrorCode::Usage, "the tilt unit may go from " + degreesText(unit.lowest(), 2) + " to " +
+                                          degreesText(unit.highest(), 2) + "; the plan asks for " +
+                                          degreesText(first, 2) + " to " + degreesText(last, 2));
     return {};
 }
 
@@ -93,9 +86,9 @@ Result<double> sweepSpeed(const ScanPlan& plan, double wanted, double sliceTime,
     const double step = std::abs(stepOf(units));
     if (std::abs(step / std::abs(plan.pitchStep) - 1.0) > kMostOff || !isWithin(plan, stepOf(units), unit))
         return fail(ErrorCode::Usage,
-                    "the tilt unit has only speeds that are multiples of " + inDegrees(unitOfSpeed, kFine) +
-                        " a second, so a sweep cannot have steps of " + inDegrees(plan.pitchStep, kFine) +
-                        "; give a step of " + inDegrees(stepOf(units), kFine) + ", or step and stare");
+                    "the tilt unit has only speeds that are multiples of " + degreesText(unitOfSpeed, kFine) +
+                        " a second, so a sweep cannot have steps of " + degreesText(plan.pitchStep, kFine) +
+                        "; give a step of " + degreesText(stepOf(units), kFine) + ", or step and stare");
     return units * unitOfSpeed;
 }
 

@@ -15,6 +15,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr int kScansAfterQuit = 3;
+/// Of one that talks though it was told to be quiet, at a time.
+constexpr int kMostPassedOver = 100;
 
 }  // namespace
 
@@ -171,6 +173,18 @@ void ScipLaser::quitUnheard()
     stream_.clear();
     revival_.end();
     (void)link_.send(kScipQuit);
+}
+
+Result<void> ScipLaser::lookAfter()
+{
+    for (int i = 0; i < kMostPassedOver && stream_.empty(); ++i) {
+        const auto arrival = link_.next(link_.now(), {});
+        if (!arrival)
+            return tl::unexpected{arrival.error()};
+        if (!*arrival)
+            break;
+    }
+    return {};
 }
 
 LinkHealth ScipLaser::health() const

@@ -55,6 +55,8 @@ public:
     /// Errors (DeviceLost): it was asked twice, and scans still come or nothing answers.
     Result<void> stop() override;
 
+    Result<void> lookAfter() override;
+
     LinkHealth health() const override;
     std::vector<FaultRecord> takeLog() override { return health_.takeLog(); }
 

@@ -238,7 +238,9 @@ void UsbPipe::arrived(Incoming& incoming)
                 : status == LIBUSB_TRANSFER_OVERFLOW ? "overflow"
                                                      : "transfer error");
     submitAll();
-    changed_.notify_all();
+    // Nobody else waits for this, and packets may come a thousand times a second.
+    if (isClosing_ || isStalled_)
+        changed_.notify_all();
 }
 
 void UsbPipe::stalled(const char* what)

@@ -159,7 +159,7 @@ void DeviceForm::check()
 {
     const bool hasUnit = !unit_->currentText().trimmed().isEmpty();
     test_->setEnabled(problem().isEmpty() && isTestable_);
-    home_->setEnabled(hasUnit && isTestable_);
+    home_->setEnabled(canGoHome());
     recover_->setEnabled(hasUnit && isTestable_);
     search_->setEnabled(isTestable_);
     const DeviceChoice* choice = troubled(laser_) != nullptr ? troubled(laser_) : troubled(unit_);
@@ -178,6 +178,12 @@ QComboBox* DeviceForm::addAddress(QFormLayout* form, const QString& label, const
     box->setMinimumContentsLength(12);
     box->lineEdit()->setPlaceholderText(hint);
     form->addRow(label, box);
+    // Of an address that is longer than the field its beginning tells more than its end.
+    connect(box, &QComboBox::editTextChanged, this, [box](const QString& text) {
+        box->setToolTip(text);
+        if (!box->lineEdit()->hasFocus())
+            box->lineEdit()->setCursorPosition(0);
+    });
     // The list shows names, the field addresses.
     connect(box, &QComboBox::activated, this, [box](int index) { box->setEditText(box->itemData(index).toString()); });
     return box;
@@ -262,24 +268,46 @@ void DeviceForm::setChecks(const std::vector<DeviceCheck>& checks)
     checks_->setVisible(!lines.isEmpty());
 }
 
+/// Troubles first, in lines of their own; then a table of names and values.
 void DeviceForm::setFacts(const std::vector<DeviceFact>& facts)
 {
-    QStringList lines;
+    QString lines;
+    QString rows;
     for (const DeviceFact& fact : facts) {
-        const QString line = QStringLiteral("%1 %2").arg(QString::fromStdString(fact.name).toHtmlEscaped(),
-                                                         QString::fromStdString(fact.value).toHtmlEscaped());
-        lines += fact.isTrouble ? QStringLiteral("<b>▲ ") + line + QStringLiteral("</b>") : line;
+        const QString name = QString::fromStdString(fact.name).toHtmlEscaped();
+        const QString value = QString::fromStdString(fact.value).toHtmlEscaped();
+        if (fact.name.empty())
+            lines += QStringLiteral("<b>▲ %1</b><br>").arg(value);
+        else if (fact.isTrouble)
+            rows += QStringLiteral("<tr><td><b>▲ %1</b></td><td><b>%2</b></td></tr>").arg(name, value);
+        else
+            rows += QStringLiteral("<tr><td>%1</td><td>%2</td></tr>").arg(name, value);
     }
+    const QString text = facts.empty() ? QString{}
+                                       : tr("<b>Health</b>") + QStringLiteral("<br>") + lines +
+                                             QStringLiteral("<table cellpadding=\"1\" width=\"100%\">") + rows +
+                                             QStringLiteral("</table>");
     // What has not changed stays selected.
-    if (const QString text = lines.join(QStringLiteral("<br>")); text != facts_->text())
+    if (text != facts_->text())
         facts_->setText(text);
-    facts_->setVisible(!lines.isEmpty());
+    facts_->setVisible(!facts.empty());
 }
 
 void DeviceForm::setTestable(bool testable)
 {
     isTestable_ = testable;
     emit changed();
+}
+
+void DeviceForm::setConnectedHead(bool isThere)
+{
+    hasConnectedHead_ = isThere;
+    emit changed();
+}
+
+bool DeviceForm::canGoHome() const
+{
+    return hasConnectedHead_ || (isTestable_ && !unit_->currentText().trimmed().isEmpty());
 }
 
 void DeviceForm::setRecoverable(bool recoverable)

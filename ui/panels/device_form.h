@@ -35,14 +35,19 @@ public:
     void setChoices(const std::vector<DeviceChoice>& choices);
     /// The checks of the last test, in order; empty: none was made.
     void setChecks(const std::vector<DeviceCheck>& checks);
-    /// What the devices say of themselves; empty where they are not scanning.
+    /// What the devices say of themselves; empty where none are connected.
     void setFacts(const std::vector<DeviceFact>& facts);
     /// Nothing can be tested or moved while they scan, or while something else is done with them.
     void setTestable(bool testable);
+    /// Devices that are connected are brought to level where they are.
+    void setConnectedHead(bool isThere);
     /// The tilt unit has turned itself off, or was stopped in an emergency: a person sees to it and releases it.
     void setRecoverable(bool recoverable);
     /// What keeps all of a kind from being found; empty: nothing.
     void setSearchProblem(const QString& problem);
+
+    /// Whether there is a head that can be brought to level now.
+    bool canGoHome() const;
 
     /// What is missing or wrong in what was chosen; empty where nothing is.
     QString problem() const;
@@ -87,6 +92,7 @@ private:
     QPushButton* recover_;
     DeviceDetails* details_;
     bool isTestable_ = true;
+    bool hasConnectedHead_ = false;
     QLabel* checks_;
     QLabel* facts_;
 };

@@ -35,6 +35,8 @@ private slots:
     void whatCannotBeEmulatedIsSaid_data();
     void whatCannotBeEmulatedIsSaid();
     void theHeadGoesToLevel();
+    void aScanBeginsAtLevelWhereThatIsAskedFor_data();
+    void aScanBeginsAtLevelWhereThatIsAskedFor();
     void anInterruptHoldsAHeadOnItsWay();
     void aUnitThatTurnedItselfOffIsReleasedByAPersonOnly();
     void theRigsLimitsAndLeverArmAreThoseOfTheScan();
@@ -278,12 +280,42 @@ void CliDevicesTest::theHeadGoesToLevel()
     const ProgramRun laser = runProgram({"devices", "--home", rig.laser()});
 
     QVERIFY2(run.code == 0, run.err.constData());
-    QVERIFY2(QRegularExpression("^RX-64.*: stands at (89\\.[5-9]|90|90\\.[1-5])°, and is held\n$")
+    QVERIFY2(QRegularExpression("^RX-64.* is held at (89\\.[5-9]|90|90\\.[1-5])°\n$")
                  .match(QString::fromUtf8(run.out))
                  .hasMatch(),
              run.out.constData());
     QCOMPARE(laser.code, 2);
     QVERIFY2(laser.err.contains("dynamixel: or board:"), laser.err.constData());
+}
+
+void CliDevicesTest::aScanBeginsAtLevelWhereThatIsAskedFor_data()
+{
+    QTest::addColumn<QString>("tilt");
+    QTest::newRow("servo") << "--tilt";
+    QTest::newRow("board") << "--board";
+}
+
+void CliDevicesTest::aScanBeginsAtLevelWhereThatIsAskedFor()
+{
+    QFETCH(QString, tilt);
+    const QTemporaryDir folder;
+    EmulatedRigProcess rig({"--laser", "tcp:0", tilt, "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+
+    // Its middle is said to look to 80°: level is 10° away.
+    const ProgramRun run =
+        runProgram({"record", "--home", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit() + "?zero=80", "--tilt",
+                    "80:90:1", "--retries", "5", "-o", "room.pwscan"},
+                   folder.path());
+    const ProgramRun simulated =
+        runProgram({"record", "--home", "--scanner", "sim:corridor", "-o", "sim.pwscan"}, folder.path());
+
+    QVERIFY2(run.code == 0, run.err.constData());
+    QVERIFY2(run.err.contains("the head is at 90") || run.err.contains("the head is at 89."), run.err.constData());
+    QVERIFY(infoOf(folder.path())["slices"].toInt() >= 5);
+    QCOMPARE(simulated.code, 2);
+    QVERIFY2(simulated.err.contains("--home"), simulated.err.constData());
+    QVERIFY(!QFileInfo::exists(folder.filePath("sim.pwscan")));
 }
 
 void CliDevicesTest::anInterruptHoldsAHeadOnItsWay()

@@ -13,17 +13,9 @@ class TextTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void fixedTextRoundsAndKnowsNoMinusZero();
     void roundedKeepsNineSignificantDigits();
     void tableSetsNumbersToTheRightAndWordsToTheLeft();
 };
-
-void TextTest::fixedTextRoundsAndKnowsNoMinusZero()
-{
-    QCOMPARE(fixedText(1.2346, 3), std::string("1.235"));
-    QCOMPARE(fixedText(-0.0001, 3), std::string("0.000"));
-    QCOMPARE(fixedText(-0.5, 1), std::string("-0.5"));
-}
 
 void TextTest::roundedKeepsNineSignificantDigits()
 {

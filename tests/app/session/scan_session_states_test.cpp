@@ -87,6 +87,8 @@ void ScanSessionStatesTest::stopMotionEndsAScanInEveryState()
     ScanSession& session = *fake.session;
     QVERIFY(session.stopMotion());
     QCOMPARE(session.state(), SessionState::Empty);
+    QVERIFY(session.isMotionStopped());
+    QVERIFY(session.release());
     QVERIFY(session.open("sim:corridor?seed=3"));
     QVERIFY(session.stopMotion());
     QCOMPARE(session.state(), SessionState::Empty);

@@ -24,7 +24,8 @@ private slots:
     void aFaultLeadsOnOrToReview();
     void stopMotionEndsAScan();
     void nothingMovesAfterAStopOfMotionBeforeItIsReleased();
-    void aReplayHasNothingToRelease();
+    void motionCanBeStoppedWithoutAScanner();
+    void theHeadGoesHomeBetweenScans();
     void anEmptyScanLeadsBackToReady();
     void aRerunLeavesNothingRecording();
     void randomWalksKeepTheRules_data();
@@ -192,15 +193,59 @@ void SessionMachineTest::nothingMovesAfterAStopOfMotionBeforeItIsReleased()
     QVERIFY(refused(over, Request::Start));
     QVERIFY(over.request(Request::Open));
     over.happen(Happening::Connected);
-    QVERIFY(!over.isMotionStopped());  // another scanner
+    QVERIFY(refused(over, Request::Start));  // another scanner moves as little
+    QVERIFY(over.request(Request::Close));
+    QVERIFY(over.isMotionStopped());
+    QVERIFY(over.request(Request::Open));
+    over.happen(Happening::ConnectingFailed);
+    QVERIFY(refused(over, Request::Retry));
+    QVERIFY(over.request(Request::Release));
+    QVERIFY(!over.isMotionStopped());
 }
 
-void SessionMachineTest::aReplayHasNothingToRelease()
+void SessionMachineTest::motionCanBeStoppedWithoutAScanner()
 {
-    SessionMachine machine = after(Request::Open, Happening::Loaded, Request::StopMotion);
+    // Devices may be moved elsewhere, for a test of them.
+    SessionMachine empty;
+    QVERIFY(empty.request(Request::StopMotion));
+    QVERIFY(empty.isMotionStopped());
+    QCOMPARE(empty.state(), State::Empty);
 
-    QVERIFY(!machine.isMotionStopped());
-    QVERIFY(!machine.refusal(Request::Release).empty());
+    SessionMachine replay = after(Request::Open, Happening::Loaded, Request::StopMotion, Happening::CaughtUp);
+    QVERIFY(replay.isMotionStopped());
+    QVERIFY(replay.request(Request::Start));  // which moves nothing
+    QVERIFY(replay.request(Request::Release));
+}
+
+void SessionMachineTest::theHeadGoesHomeBetweenScans()
+{
+    SessionMachine over = scanning();
+    QVERIFY(!over.refusal(Request::GoHome).empty());
+    over.happen(Happening::SourceEnded);
+    over.happen(Happening::CaughtUp);
+    for (SessionMachine machine : {after(Request::Open, Happening::Connected), over}) {
+        const State before = machine.state();
+        QVERIFY(machine.isIdle());
+        QVERIFY(machine.request(Request::GoHome));
+        QCOMPARE(machine.state(), State::Homing);
+        QVERIFY(machine.goesHome() && machine.isIdle() && machine.mayMove());
+        QVERIFY(!machine.mayRecord());
+        QCOMPARE(machine.hasScan(), before == State::Review);
+        QVERIFY(!machine.refusal(Request::Start).empty());
+        machine.happen(Happening::Begun);  // of no scan
+        QCOMPARE(machine.state(), State::Homing);
+        machine.happen(Happening::Home);
+        QCOMPARE(machine.state(), before);
+
+        QVERIFY(machine.request(Request::GoHome));
+        QVERIFY(machine.request(Request::StopMotion));
+        QCOMPARE(machine.state(), before);
+        QVERIFY(machine.refusal(Request::GoHome).find("Release it") != std::string_view::npos);
+        machine.happen(Happening::Home);
+        QCOMPARE(machine.state(), before);
+    }
+    QVERIFY(!SessionMachine{}.refusal(Request::GoHome).empty());
+    QVERIFY(!after(Request::Open, Happening::Loaded, Happening::CaughtUp).refusal(Request::GoHome).empty());
 }
 
 void SessionMachineTest::anEmptyScanLeadsBackToReady()

@@ -5,6 +5,7 @@
 
 #include <QtTest>
 
+#include "app/sources/unit_tasks.h"
 #include "tests/app/sources/fake_devices.h"
 #include "tests/devices/fake_clock.h"
 #include "tests/test_program.h"
@@ -27,6 +28,7 @@ private slots:
     void aSilentUnitIsToldAsOne();
     void theEndOfItComesToRest();
     void aUnitIsReleasedAndMovesNothing();
+    void aUnitThatIsBroughtHomeSaysWhereItIsHeld();
 };
 
 namespace {
@@ -52,7 +54,7 @@ void UnitMotionTest::itGoesToLevelAndIsHeldThere()
     Rig rig;
     rig.head->pitch = rig.head->goal = degrees(30.0);
 
-    const auto there = bringToLevel(*rig.motion);
+    const auto there = rig.motion->goHome();
 
     QVERIFY2(there, there ? "" : there.error().message.c_str());
     QVERIFY(std::abs(*there - degrees(90.0)) < degrees(0.7));
@@ -76,7 +78,7 @@ void UnitMotionTest::aStopHoldsAtOnceInTheThreadThatAsks()
         holdsAtOnce = rig.head->holds;
     };
 
-    const auto there = bringToLevel(*rig.motion);
+    const auto there = rig.motion->goHome();
 
     QVERIFY(!there);
     QCOMPARE(there.error().code, ErrorCode::Interrupted);
@@ -104,7 +106,7 @@ void UnitMotionTest::nothingMovesAfterAStop()
     Rig rig;
     rig.stop.request_stop();
 
-    const auto there = bringToLevel(*rig.motion);
+    const auto there = rig.motion->goHome();
 
     QVERIFY(!there);
     QVERIFY(!rig.head->isArmed);
@@ -134,7 +136,7 @@ void UnitMotionTest::aBlockedHeadIsToldWithWhereItStands()
 
     QVERIFY(!moved);
     QCOMPARE(moved.error().code, ErrorCode::DeviceLost);
-    QVERIFY2(contains(moved.error(), "does not get to 95.0° but stands at 90.0°"), moved.error().message.c_str());
+    QVERIFY2(contains(moved.error(), "does not get to 95° but stands at 90°"), moved.error().message.c_str());
     QVERIFY(rig.head->isHeld);
     // Three times the 0.25 s that 5° at 20° a second take, and a second.
     QVERIFY(rig.clock.now() >= 1750ms && rig.clock.now() < 2s);
@@ -158,14 +160,27 @@ void UnitMotionTest::aUnitIsReleasedAndMovesNothing()
 {
     FakeClock clock;
     const auto head = std::make_shared<FakeHead>();
-    FakeUnit unit(head, clock);
+    FakeAccess devices(head, clock);
 
-    const auto released = release(unit, {});
+    const auto released = releaseUnit(devices, {}, {});
 
     QCOMPARE(released.value(), std::string("fake unit is released"));
     QCOMPARE(head->recoveries, 1);
     QVERIFY(!head->isArmed);
     QCOMPARE(head->moves, 0);
+}
+
+void UnitMotionTest::aUnitThatIsBroughtHomeSaysWhereItIsHeld()
+{
+    FakeClock clock;
+    const auto head = std::make_shared<FakeHead>();
+    FakeAccess devices(head, clock);
+    head->pitch = head->goal = degrees(80.0);
+
+    const auto home = bringUnitHome(devices, {}, clock, {});
+
+    QCOMPARE(home.value_or(""), std::string("fake unit is held at 90°"));
+    QVERIFY(head->isHeld);
 }
 
 void UnitMotionTest::theEndOfItComesToRest()

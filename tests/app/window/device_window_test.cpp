@@ -28,10 +28,23 @@ private slots:
     void stopMotionEndsAScanWithWhatThereIs();
     void stopMotionHoldsWhatATestMoves();
     void theHeadGoesToLevelAndStopMotionHoldsIt();
+    void theHeadOfAConnectedScannerGoesToLevel_data();
+    void theHeadOfAConnectedScannerGoesToLevel();
     void whatIsSetUpIsThereAfterTheNextStart();
     void whoHasAScannerIsShownTheForm();
 
 private:
+    /// What the devices say now.
+    QString healthValue(const char* name) const
+    {
+        for (const HealthFact& fact : shown_->parts.session.health()) {
+            if (fact.name == name)
+                return QString::fromStdString(fact.value);
+        }
+        return {};
+    }
+    /// Takes back a stop of motion, as the banner offers it.
+    void release() { shown_->parts.window->banner().findChild<QPushButton*>("bannerFirst")->click(); }
     template <class Widget>
     Widget* find(const char* name) const
     {
@@ -91,6 +104,11 @@ void DeviceWindowTest::devicesAreTestedConnectedAndScannedWith()
     QVERIFY2(health->text().contains(QStringLiteral("scans/s, lost 0, corrupt 0, late 0, load ")),
              qPrintable(health->text()));
     QVERIFY(health->text().endsWith(QStringLiteral(" °C")));
+    // The servo is asked how it is though no scan runs.
+    const QString before = healthValue("angles");
+    QVERIFY(!before.isEmpty());
+    QVERIFY(waitUntil([&] { return healthValue("angles") != before; }, kPatience));
+    QVERIFY(find<QLabel>("deviceFacts")->text().contains("angles/s"));
     // What is set up is told by what the laser says of itself: 200° of its 270° are 801 steps of 0.25°.
     find<QDoubleSpinBox>("deviceLastBearing")->setValue(200.0);
     QVERIFY2(find<QLabel>("scanSize")->text().startsWith("34 slices of 801 beams, 27,234 points, about 0."),
@@ -153,6 +171,57 @@ void DeviceWindowTest::stopMotionHoldsWhatATestMoves()
     QVERIFY2(find<QLabel>("deviceChecks")->text().contains("stopped"),
              qPrintable(find<QLabel>("deviceChecks")->text()));
     QVERIFY(waitUntil([&] { return find<QPushButton>("testDevices")->isEnabled(); }, kPatience));
+    // Nothing moves before it is released.
+    const QString checks = find<QLabel>("deviceChecks")->text();
+    find<QPushButton>("testDevices")->click();
+    QCOMPARE(find<QLabel>("deviceChecks")->text(), checks);
+    QVERIFY(find<QPushButton>("testDevices")->isEnabled());
+    QVERIFY(shown_->parts.window->banner().text().contains("Motion was stopped"));
+    release();
+    find<QPushButton>("testDevices")->click();
+    QVERIFY(!find<QPushButton>("testDevices")->isEnabled());
+    shown_->action("actStopMotion")->trigger();
+}
+
+void DeviceWindowTest::theHeadOfAConnectedScannerGoesToLevel_data()
+{
+    QTest::addColumn<QString>("tilt");
+    QTest::newRow("servo") << "--tilt";
+    QTest::newRow("board") << "--board";
+}
+
+void DeviceWindowTest::theHeadOfAConnectedScannerGoesToLevel()
+{
+    QFETCH(QString, tilt);
+    EmulatedRigProcess rig({"--laser", "tcp:0", tilt, "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+    QVERIFY(!shown_->action("actHome")->isEnabled());
+    // Its middle is said to look to 80°: level is 10° away, half a second.
+    choose(rig.laser(), rig.tiltUnit() + "?zero=80");
+    find<QPushButton>("openSource")->click();
+    QVERIFY(comesTo(SessionState::Ready));
+    QStringList said;
+    connect(&shown_->parts.session, &ScanSession::logLine, this,
+            [&](LogLevel, const QString&, const QString& text) { said += text; });
+
+    shown_->action("actStopMotion")->trigger();
+    shown_->action("actHome")->trigger();
+    QCOMPARE(shown_->parts.session.state(), SessionState::Ready);
+    QVERIFY(shown_->parts.window->banner().text().contains("Motion was stopped"));
+    release();
+    shown_->action("actHome")->trigger();
+
+    QVERIFY(shown_->parts.session.goesHome());
+    QVERIFY(!shown_->action("actHome")->isEnabled());
+    QVERIFY(comesTo(SessionState::Ready));
+    QVERIFY2(said.join(QChar(10)).contains(QRegularExpression("held at (89\\.[5-9]|90|90\\.[1-5])°")),
+             qPrintable(said.join('\n')));
+    QVERIFY(find<QPushButton>("homeDevices")->isEnabled());
+    // The scan begins as ever.
+    shown_->action("actStart")->trigger();
+    QVERIFY(waitUntil([&] { return shown_->parts.session.status().acquired > 0; }, kPatience));
+    shown_->action("actStopMotion")->trigger();
+    QVERIFY(comesTo(SessionState::Review));
 }
 
 void DeviceWindowTest::theHeadGoesToLevelAndStopMotionHoldsIt()
@@ -170,9 +239,12 @@ void DeviceWindowTest::theHeadGoesToLevelAndStopMotionHoldsIt()
     QVERIFY(waitUntil([&] { return find<QLabel>("deviceChecks")->text().contains(QChar(0x2718)); }, kPatience));
     QVERIFY(waitUntil([&] { return find<QPushButton>("homeDevices")->isEnabled(); }, kPatience));
     find<QPushButton>("homeDevices")->click();
+    QVERIFY(find<QLabel>("deviceChecks")->text().contains(QChar(0x2718)));  // not before it is released
+    release();
+    find<QPushButton>("homeDevices")->click();
 
     QVERIFY(waitUntil([&] { return find<QLabel>("deviceChecks")->text().contains(QChar(0x2714)); }, kPatience));
-    QVERIFY2(find<QLabel>("deviceChecks")->text().contains(QRegularExpression("held at (89\\.[5-9]|90\\.[0-5])")),
+    QVERIFY2(find<QLabel>("deviceChecks")->text().contains(QRegularExpression("held at (89\\.[5-9]|90|90\\.[1-5])°")),
              qPrintable(find<QLabel>("deviceChecks")->text()));
 }
 

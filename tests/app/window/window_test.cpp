@@ -116,6 +116,8 @@ void WindowTest::stoppingWorksInEveryState()
 {
     QVERIFY(action("actStopMotion")->isEnabled());
     action("actStopMotion")->trigger();
+    QVERIFY(parts_->session.isMotionStopped());
+    QVERIFY(parts_->session.release());
 
     shown_->controllers->scan.open(QStringLiteral("sim:corridor?seed=7&speed=0.2"), true);
     QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Scanning; }, kPatience));

@@ -25,7 +25,6 @@ private slots:
     void whatIsNoMountingIsRefused_data();
     void whatIsNoMountingIsRefused();
     void whatIsNoServoIsRefused();
-    void anglesAreReadInDegrees();
 };
 
 namespace {
@@ -163,15 +162,6 @@ void BoardScaleTest::whatIsNoServoIsRefused()
     HelloReply wide = rx64();
     wide.spanMdeg = 0xFFFFFFFF;
     QCOMPARE(Scale::of(wide, level()).error().code, ErrorCode::NoDevice);
-}
-
-void BoardScaleTest::anglesAreReadInDegrees()
-{
-    QCOMPARE(board::toDegreesText(degrees(11.734)), std::string("11.73°"));
-    QCOMPARE(board::toDegreesText(degrees(-0.29)), std::string("-0.29°"));
-    QCOMPARE(board::toDegreesText(degrees(5.006)), std::string("5.01°"));
-    QCOMPARE(board::toDegreesText(std::numeric_limits<double>::quiet_NaN()), std::string("no angle"));
-    QCOMPARE(board::toDegreesText(std::numeric_limits<double>::infinity()), std::string("no angle"));
 }
 
 }  // namespace planewright

@@ -20,6 +20,8 @@ private slots:
     void connectingFindsOutWhoItIsAndMovesNothing();
     void nothingMovesBeforeItIsArmed();
     void aMoveEndsAtTheNearestStep();
+    void homeIsLevelAndReachedSlowly_data();
+    void homeIsLevelAndReachedSlowly();
     void samplesHaveTheTimeOfTheHost();
     void samplesComeAsOftenAsTheyAreAskedFor();
     void heartbeatsGoOnWhileSamplesAreTaken();
@@ -98,6 +100,41 @@ void BoardTiltTest::aMoveEndsAtTheNearestStep()
         QVERIFY(std::abs(rest->pitch - degrees(pitch)) <= kCountAngle);
         QVERIFY(std::abs(rig.pitch() - rest->pitch) < 1e-3);
     }
+}
+
+void BoardTiltTest::homeIsLevelAndReachedSlowly_data()
+{
+    QTest::addColumn<double>("lowest");
+    QTest::addColumn<double>("home");
+    QTest::newRow("level") << 10.0 << 90.0;
+    QTest::newRow("level is below what it may take") << 95.0 << 95.0;
+}
+
+/// By HOME: the board goes to where it was told to when it was connected.
+void BoardTiltTest::homeIsLevelAndReachedSlowly()
+{
+    QFETCH(double, lowest);
+    QFETCH(double, home);
+    EmulatedBoardSetup setup = levelBoard();
+    setup.startPitch = degrees(130.0);
+    BoardTiltOptions options = BoardRig::level();
+    options.mounting.lowest = degrees(lowest);
+    BoardRig rig{setup, options};
+    QVERIFY(rig.tilt.connect({}));
+    QCOMPARE(rig.tilt.goHome().error().code, ErrorCode::Usage);  // not armed
+    QVERIFY(rig.tilt.arm({}));
+    const auto begun = rig.clock.now();
+
+    QVERIFY(rig.tilt.goHome());
+    const auto rest = rig.arrive();
+
+    QVERIFY(rest);
+    QVERIFY(std::abs(rest->pitch - degrees(home)) <= kCountAngle);
+    QVERIFY(std::abs(rig.pitch() - rest->pitch) < 1e-3);
+    // At 20° a second, and a little time to gain speed and to settle.
+    const double seconds = std::chrono::duration<double>(rig.clock.now() - begun).count();
+    const double way = (130.0 - home) / 20.0;
+    QVERIFY2(seconds > way && seconds < way + 0.5, qPrintable(QString::number(seconds)));
 }
 
 void BoardTiltTest::samplesHaveTheTimeOfTheHost()

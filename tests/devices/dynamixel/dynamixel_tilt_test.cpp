@@ -254,7 +254,7 @@ void DynamixelTiltTest::aShaftBeyondItsLimitsIsNotArmed()
     const auto armed = rig.tilt->arm({});
 
     QVERIFY(!armed);
-    QVERIFY(says(armed.error().message, {"-60.1 deg", "by hand"}));
+    QVERIFY(says(armed.error().message, {"-60.1°", "by hand"}));
     QVERIFY(isNear(rig.truth(rig.clock.now() + 1s), degrees(-60.0), 1e-9));
 }
 
@@ -346,7 +346,7 @@ void DynamixelTiltTest::whatIsBeyondALimitIsRefused()
         const auto moved = rig.tilt->moveTo(pitch, speed);
         QVERIFY(!moved);
         QCOMPARE(moved.error().code, ErrorCode::Usage);
-        QVERIFY(says(moved.error().message, {"deg"}));
+        QVERIFY(says(moved.error().message, {"°"}));
     }
     QVERIFY(rig.link->written().empty());
     QVERIFY(rig.tilt->moveTo(degrees(80.0), degrees(120.0)));

@@ -17,6 +17,8 @@ class HealthFactsTest : public QObject {
 private slots:
     void oneLineHasRateLossesLoadAndTemperature();
     void whatIsOutOfOrderStandsOut();
+    void faultsAreCountedByTheirCodes();
+    void aTroubleOfBothIsToldOnce();
 };
 
 namespace {
@@ -71,6 +73,34 @@ void HealthFactsTest::whatIsOutOfOrderStandsOut()
     QVERIFY(lineOf(factsOf(lossy)).find("angles lost 11, corrupt 0, late 0") != std::string::npos);
     QVERIFY(isTroubled(factsOf(hot)));
     QVERIFY(lineOf(factsOf(hot)).starts_with("▲ the motor is hot"));
+}
+
+void HealthFactsTest::faultsAreCountedByTheirCodes()
+{
+    NoddingHealth health = wellAndBusy();
+    health.laser.faults = {{"laser-sum", 3}};
+    health.tilt.faults = {{"servo-silent", 1}, {"servo-unheard-of", 2}};
+
+    const auto facts = factsOf(health);
+
+    const auto valueOf = [&](const std::string& name) {
+        const auto fact = std::ranges::find(facts, name, &HealthFact::name);
+        return fact == facts.end() ? std::string{"none"} : fact->value;
+    };
+    QCOMPARE(valueOf("laser-sum"), std::string("3 × a line with a wrong sum"));
+    QCOMPARE(valueOf("servo-silent"), std::string("1 × no answer to a question"));
+    QCOMPARE(valueOf("servo-unheard-of"), std::string("2 ×"));
+    QCOMPARE(lineOf(facts), lineOf(factsOf(wellAndBusy())));
+}
+
+void HealthFactsTest::aTroubleOfBothIsToldOnce()
+{
+    NoddingHealth health = wellAndBusy();
+    health.tilt.trouble = health.motor.trouble = "the motor is hot";
+
+    const auto facts = factsOf(health);
+
+    QCOMPARE(std::ranges::count(facts, "the motor is hot", &HealthFact::value), std::ptrdiff_t(1));
 }
 
 }  // namespace planewright

@@ -47,11 +47,14 @@ struct DeviceScript {
     double tolerance = degrees(0.5);
     double sag = 0.0;  ///< how far below its goal the head comes to rest [rad]
     bool hasSamples = true;
+    bool hasTorque = true;                 ///< of the unit
+    std::function<Result<void>()> onLook;  ///< when the laser is looked after
     std::function<Result<void>()> onArm;
     std::function<Result<void>()> onRecover;
     std::function<Result<void>()> onStop;
     std::function<Result<void>()> onSample;
 
+    double goal = 0.0;                    ///< of the last motion [rad]
     std::function<double(Time)> pitchAt;  ///< of the unit that was opened last [rad]
 
     void note(std::string what) { calls.push_back({std::move(what), clock.now()}); }
@@ -95,6 +98,7 @@ public:
         script_.note("arm");
         Result<void> armed = script_.onArm ? script_.onArm() : Result<void>{};
         isHeld_ = isHeld_ && !armed;
+        script_.hasTorque = script_.hasTorque || armed;
         return armed;
     }
     Result<void> recover(const std::stop_token& /*stop*/) override
@@ -110,6 +114,7 @@ public:
         from_ = pitchAt(script_.clock.now());
         since_ = script_.clock.now();
         goal_ = pitch - script_.sag;
+        script_.goal = goal_;
         speed_ = speed;
         return {};
     }
@@ -142,6 +147,8 @@ public:
         standStill();
         return {};
     }
+
+    bool holdsItself() const override { return script_.hasTorque; }
 
     double pitchAt(std::chrono::nanoseconds at) const
     {
@@ -212,6 +219,7 @@ public:
         script_.note("laser stop");
         return {};
     }
+    Result<void> lookAfter() override { return script_.onLook ? script_.onLook() : Result<void>{}; }
     LinkHealth health() const override { return {}; }
     std::vector<FaultRecord> takeLog() override { return std::exchange(script_.laserLog, {}); }
 

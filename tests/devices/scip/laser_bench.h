@@ -21,9 +21,9 @@
 namespace planewright {
 
 /// A device whose answers a test writes: what it says to each request, at once. Empty: nothing.
-class ScriptedLaser : public EmulatedDevice {
+class AnsweringDevice : public EmulatedDevice {
 public:
-    explicit ScriptedLaser(std::function<std::string(const std::string&)> answer) : answer_(std::move(answer)) {}
+    explicit AnsweringDevice(std::function<std::string(const std::string&)> answer) : answer_(std::move(answer)) {}
 
     void receive(std::span<const std::uint8_t> bytes, std::chrono::nanoseconds now) override
     {

@@ -86,9 +86,9 @@ private:
     std::map<std::string, int> asked_;
 };
 
-std::shared_ptr<ScriptedLaser> scripted(std::function<std::string(const std::string&)> answer)
+std::shared_ptr<AnsweringDevice> scripted(std::function<std::string(const std::string&)> answer)
 {
-    return std::make_shared<ScriptedLaser>(std::move(answer));
+    return std::make_shared<AnsweringDevice>(std::move(answer));
 }
 
 void compareNoDevice(const Result<void>& result, const std::string& words, ErrorCode code = ErrorCode::NoDevice)

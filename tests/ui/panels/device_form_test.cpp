@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -146,6 +147,8 @@ void DeviceFormTest::levelNeedsATiltUnit()
 
     QCOMPARE(requested.count(), 1);
     QVERIFY(!find<QPushButton>("homeDevices")->isEnabled());
+    form().setConnectedHead(true);
+    QVERIFY(find<QPushButton>("homeDevices")->isEnabled());
 }
 
 void DeviceFormTest::aUnitThatWaitsForAPersonIsReleasedByOne()
@@ -223,11 +226,15 @@ void DeviceFormTest::checksHaveASignAndWords()
 
 void DeviceFormTest::factsStandOutWhereTheyAreTrouble()
 {
-    form().setFacts({{"Temperature", "41 °C", false}, {"", "the servo is too warm", true}});
+    form().setFacts(
+        {{"", "the servo is too warm", true}, {"Temperature", "41 °C", false}, {"angles", "9, lost 2", true}});
 
     const QString text = find<QLabel>("deviceFacts")->text();
-    QVERIFY(text.contains(QStringLiteral("Temperature 41 °C")));
-    QVERIFY(text.contains(QStringLiteral("<b>▲  the servo is too warm</b>")));
+    QVERIFY(text.contains(QStringLiteral("<td>Temperature</td><td>41 °C</td>")));
+    QVERIFY(text.contains(QStringLiteral("<b>▲ the servo is too warm</b>")));
+    QVERIFY(text.contains(QStringLiteral("<td><b>▲ angles</b></td><td><b>9, lost 2</b></td>")));
+    form().setFacts({});
+    QVERIFY(!find<QLabel>("deviceFacts")->isVisible());
 }
 
 void DeviceFormTest::theSetupIsGivenAsItWasTyped()
@@ -241,6 +248,9 @@ void DeviceFormTest::theSetupIsGivenAsItWasTyped()
 
     QCOMPARE(requested.count(), 1);
     QVERIFY(requested.at(0).at(0).value<DeviceSetup>() == setup);
+    // A long address shows its beginning, and all of it when somebody points at it.
+    QCOMPARE(find<QComboBox>("tiltUnit")->lineEdit()->cursorPosition(), 0);
+    QCOMPARE(find<QComboBox>("tiltUnit")->toolTip(), QString("board:usb:"));
 }
 
 void DeviceFormTest::steppingTakesLonger()

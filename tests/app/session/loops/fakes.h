@@ -41,6 +41,8 @@ public:
     std::optional<int> planned;                     ///< where it is not the slices that there are
     int firstStep = 0;                              ///< is added to the steps of its slices
     std::function<std::vector<FaultRecord>()> onTakeLog;
+    std::function<void(const std::stop_token&)> onLook;
+    std::function<Result<std::optional<double>>(const std::stop_token&)> onHome;
     bool endless = false;  ///< after the last slice it waits for a stop
 
     const ScanDescription& description() const override { return recording_.description; }
@@ -73,6 +75,16 @@ public:
             std::this_thread::sleep_for(std::chrono::milliseconds{1});
         return std::nullopt;
     }
+    void lookAfter(const std::stop_token& stop) override
+    {
+        ++looks;
+        if (onLook)
+            onLook(stop);
+    }
+    Result<std::optional<double>> goHome(const std::stop_token& stop) override
+    {
+        return onHome ? onHome(stop) : Result<std::optional<double>>{std::nullopt};
+    }
     std::vector<FaultRecord> takeLog() override { return onTakeLog ? onTakeLog() : std::vector<FaultRecord>{}; }
     Result<void> pause() override { return {}; }
     Result<void> resume() override { return {}; }
@@ -88,6 +100,7 @@ public:
     }
     void release() override { ++releases; }
 
+    std::atomic<int> looks{0};
     std::atomic<int> begins{0};
     std::atomic<int> ends{0};
     std::atomic<int> stops{0};
