@@ -10,7 +10,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/models/parameter_model.h"
 
 namespace planewright {

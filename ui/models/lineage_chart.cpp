@@ -7,7 +7,7 @@
 
 #include <QStringList>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 
 namespace planewright {
 

@@ -14,7 +14,7 @@
 #include <QScrollBar>
 #include <QToolTip>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/models/decision_text.h"
 #include "ui/theme/theme.h"
 

@@ -12,7 +12,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "ui/common/plane_words.h"
+#include "core/types/plane_words.h"
 #include "ui/panels/copy_rows.h"
 #include "ui/panels/line_delegate.h"
 
