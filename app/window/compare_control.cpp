@@ -20,10 +20,15 @@ QString wordsOf(std::string_view text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// A preset of the method on what is known of the scanner.
-Parameters withPreset(Parameters parameters, std::string_view preset)
+/// A preset of the method with what is known of the scanner.
+Parameters withPreset(const Parameters& present, std::string_view preset)
 {
+    Parameters parameters;
     apply(*findPreset(methodPresets(), preset), parameters);
+    const bool isEstimated = parameters.noise.estimated;
+    parameters.sensor = present.sensor;
+    parameters.noise = present.noise;
+    parameters.noise.estimated = isEstimated;
     return parameters;
 }
 

@@ -113,6 +113,7 @@ std::pair<PlaneId, LifeEvent> InspectorWindowTest::firstOf(LifeEventKind kind)
 void InspectorWindowTest::itIsInTheInspectLayoutAndFits()
 {
     const auto* dock = parts_->window->findChild<QDockWidget*>("dockInspector");
+    shown_->action("actLayoutOperate")->trigger();
     QVERIFY(!dock->isVisible());
 
     shown_->action("actLayoutInspect")->trigger();

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QtTest>
+
+#include "app/window/waiting.h"
+#include "core/params/registry.h"
+#include "tests/app/window/shown_window.h"
+#include "tests/test_program.h"
+#include "tests/ui/view3d/reference_image.h"
+#include "ui/panels/filtered_table.h"
+
+namespace planewright {
+
+/// A scan and its second extraction, side by side in the window.
+class CompareWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void anExtractionWithItsOwnParametersIsTheSame();
+    void theOtherMethodIsShownBesideIt();
+    void bothShowTheStepThatIsLookedAt();
+    void bothHaveOneCamera();
+    void partnersAreChosenTogether();
+    void closingTakesTheSecondViewAway();
+    void anotherScanEndsTheComparison();
+    void movingAveragesAreAnExample();
+
+private:
+    ComparePanel& panel() { return *parts_->window->findChild<ComparePanel*>(QStringLiteral("comparePanel")); }
+    const ScanBranch* branch() { return shown_->controllers->compare.branch(); }
+    const CompareModel& model() { return static_cast<const CompareModel&>(*panel().table()->rows()->sourceModel()); }
+    /// Scans the corridor and compares it with a choice by its name.
+    void compareWith(const QString& name);
+    bool settle() { return waitForRest(*parts_, kPatience).has_value(); }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<ShownWindow> shown_;
+    WindowParts* parts_ = nullptr;
+};
+
+void CompareWindowTest::initTestCase()
+{
+    useFixedLook();
+}
+
+void CompareWindowTest::init()
+{
+    auto shown = ShownWindow::open(folder_.filePath(QStringLiteral("window.ini")));
+    QVERIFY2(shown, shown ? "" : shown.error().message.c_str());
+    shown_ = std::move(*shown);
+    parts_ = &shown_->parts;
+}
+
+void CompareWindowTest::cleanup()
+{
+    shown_.reset();
+}
+
+void CompareWindowTest::compareWith(const QString& name)
+{
+    QVERIFY(shown_->scanCorridor());
+    shown_->action("actCompare")->trigger();
+    auto* choice = panel().findChild<QComboBox*>(QStringLiteral("compareWith"));
+    QVERIFY(choice->findText(name) >= 0);
+    choice->setCurrentText(name);
+    QTest::mouseClick(panel().findChild<QPushButton*>(QStringLiteral("compareRun")), Qt::LeftButton);
+    QVERIFY(settle());
+    QVERIFY(branch() != nullptr);
+    QVERIFY(branch()->isFinished());
+}
+
+void CompareWindowTest::anExtractionWithItsOwnParametersIsTheSame()
+{
+    compareWith(QStringLiteral("parameters as set"));
+
+    QCOMPARE(model().rowCount(), static_cast<int>(parts_->shown->snapshot->planes.size()));
+    for (const PairedPlanes& pair : model().comparison().pairs) {
+        QCOMPARE(pair.a, pair.b);
+        QCOMPARE(pair.overlap, 1.0);
+        QCOMPARE(pair.difference.angle, 0.0);
+        QCOMPARE(pair.difference.distance, 0.0);
+    }
+}
+
+void CompareWindowTest::theOtherMethodIsShownBesideIt()
+{
+    compareWith(QStringLiteral("paper"));
+
+    QVERIFY(parts_->window->showsSecondView());
+    QVERIFY(std::abs(parts_->window->view().width() - parts_->window->secondView().width()) < 40);
+    QCOMPARE(printParameter(branch()->parameters(), "method.estimator"), std::string("end-points"));
+    const std::size_t planes = branch()->history().newest()->snapshot->planes.size();
+    QCOMPARE(model().comparison().pairs.size() + model().comparison().onlyB.size(), planes);
+    QVERIFY(model().comparison().pairs.size() >= 4);  // floor, ceiling and the long walls at least
+    const QString totals = panel().findChild<QLabel*>(QStringLiteral("compareTotals"))->text();
+    QVERIFY(totals.contains(QStringLiteral(">%1</td>").arg(planes)));
+    const QImage picture = parts_->window->secondView().picture({400, 300}, 1.0);
+    QVERIFY(coloursOf(picture, kFewestColours) >= kFewestColours);
+}
+
+void CompareWindowTest::bothShowTheStepThatIsLookedAt()
+{
+    compareWith(QStringLiteral("paper"));
+
+    parts_->playhead.goTo(40);
+    QVERIFY(settle());
+
+    QCOMPARE(parts_->shown->snapshot->report.step, 40);
+    const auto expected = branch()->history().after(41)->snapshot;
+    QCOMPARE(expected->report.step, 40);
+    QCOMPARE(model().comparison().pairs.size() + model().comparison().onlyB.size(), expected->planes.size());
+    parts_->playhead.follow();
+    QVERIFY(settle());
+    QCOMPARE(model().comparison().pairs.size() + model().comparison().onlyB.size(),
+             branch()->history().newest()->snapshot->planes.size());
+}
+
+void CompareWindowTest::bothHaveOneCamera()
+{
+    compareWith(QStringLiteral("paper"));
+    View3d& first = parts_->window->view();
+    View3d& second = parts_->window->secondView();
+
+    first.showNamed(NamedView::Top);
+    QCOMPARE(second.camera(), first.camera());
+    const ViewCamera before = first.camera();
+    QTest::mousePress(&second, Qt::LeftButton, {}, QPoint(100, 100));
+    QTest::mouseMove(&second, QPoint(160, 130));
+    QTest::mouseRelease(&second, Qt::LeftButton, {}, QPoint(160, 130));
+
+    QVERIFY(first.camera() != before);
+    QCOMPARE(second.camera(), first.camera());
+}
+
+void CompareWindowTest::partnersAreChosenTogether()
+{
+    compareWith(QStringLiteral("paper"));
+    const PairedPlanes pair = model().comparison().pairs.front();
+
+    parts_->selection.select({pair.a});
+    QCOMPARE(parts_->window->secondView().scene().selection().planes, std::set<PlaneId>{pair.b});
+
+    parts_->selection.clear();
+    panel().table()->choose({model().rowOfB(pair.b)});
+    QCOMPARE(parts_->selection.planes(), std::set<PlaneId>{pair.a});
+    QCOMPARE(parts_->window->secondView().scene().selection().planes, std::set<PlaneId>{pair.b});
+}
+
+void CompareWindowTest::closingTakesTheSecondViewAway()
+{
+    compareWith(QStringLiteral("paper"));
+
+    QTest::mouseClick(panel().findChild<QPushButton*>(QStringLiteral("compareClose")), Qt::LeftButton);
+
+    QVERIFY(!parts_->window->showsSecondView());
+    QVERIFY(branch() == nullptr);
+    QCOMPARE(model().rowCount(), 0);
+}
+
+void CompareWindowTest::anotherScanEndsTheComparison()
+{
+    compareWith(QStringLiteral("paper"));
+
+    QVERIFY(shown_->scanCorridor());
+
+    QVERIFY(branch() == nullptr);
+    QVERIFY(!parts_->window->showsSecondView());
+}
+
+void CompareWindowTest::movingAveragesAreAnExample()
+{
+    shown_->action("actMovingAverages")->trigger();
+    QVERIFY(waitUntil([this] { return branch() != nullptr && branch()->isFinished(); }, kPatience));
+    QVERIFY(settle());
+
+    QCOMPARE(printParameter(*parts_->session.history().back().parameters, "clusters.average"), std::string("sma"));
+    QCOMPARE(printParameter(*parts_->session.history().back().parameters, "method.estimator"),
+             std::string("end-points"));
+    QCOMPARE(printParameter(branch()->parameters(), "clusters.average"), std::string("ewma"));
+    QVERIFY(model().rowCount() > 0);
+}
+
+}  // namespace planewright
+
+PLANEWRIGHT_GUI_TEST(planewright::CompareWindowTest)
+#include "compare_window_test.moc"
