@@ -18,8 +18,8 @@ namespace planewright {
 
 namespace {
 
-constexpr int kRoomForBoth = 620;  // [px]
-constexpr int kRowHeight = 28;     // [px]
+constexpr int kRoomForBoth = 620;    // [px]
+constexpr int kSliceRowHeight = 28;  // [px]
 
 QToolButton* sliceButton(const char* name, const QString& text, const QString& tip)
 {
@@ -79,7 +79,7 @@ SlicePanel::SlicePanel(MapSelection& selection, QWidget* parent)
     list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     list_->horizontalHeader()->moveSection(static_cast<int>(SliceColumn::Why), 1);
     list_->setWordWrap(false);
-    list_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+    list_->verticalHeader()->setDefaultSectionSize(kSliceRowHeight);
     list_->setColumnHidden(static_cast<int>(SliceColumn::Beams), true);
 
     connect(fit, &QToolButton::clicked, view_, &SliceView::fit);

@@ -20,7 +20,7 @@ namespace planewright {
 
 namespace {
 
-constexpr int kMargin = 4;            // beside the columns [px]
+constexpr int kStripMargin = 4;       // beside the columns [px]
 constexpr double kLargestMark = 8.0;  // [px]
 constexpr double kSmallestMark = 2.0;
 constexpr double kLabelSize = 0.84;  // of the font
@@ -198,7 +198,7 @@ int TimelineStrip::labelWidth() const
     for (std::size_t lane = 0; lane < kTimelineLanes; ++lane)
         widest = std::max(widest, metrics.horizontalAdvance(laneName(static_cast<TimelineLane>(lane))));
     constexpr int kForMark = 18;
-    return widest + kForMark + kMargin;
+    return widest + kForMark + kStripMargin;
 }
 
 QSize TimelineStrip::minimumSizeHint() const
@@ -232,7 +232,7 @@ QRect TimelineStrip::laneRect(TimelineLane lane) const
 {
     const auto& [left, tops] = places();
     const auto number = static_cast<std::size_t>(lane);
-    return {left, tops[number], std::max(1, width() - left - kMargin), tops[number + 1] - tops[number]};
+    return {left, tops[number], std::max(1, width() - left - kStripMargin), tops[number + 1] - tops[number]};
 }
 
 QRectF TimelineStrip::columnRect(int place) const
@@ -287,7 +287,7 @@ void TimelineStrip::paintEvent(QPaintEvent* /*event*/)
 void TimelineStrip::drawEmpty(QPainter& painter) const
 {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(rect().adjusted(kMargin, 0, -kMargin, 0), Qt::AlignCenter | Qt::TextWordWrap,
+    painter.drawText(rect().adjusted(kStripMargin, 0, -kStripMargin, 0), Qt::AlignCenter | Qt::TextWordWrap,
                      tr("Every step of a scan appears here, to be looked at again. Press F5 to scan, or open a "
                         "recording."));
 }
@@ -311,7 +311,7 @@ void TimelineStrip::drawLabels(QPainter& painter) const
     for (std::size_t number = 0; number < kTimelineLanes; ++number) {
         const auto lane = static_cast<TimelineLane>(number);
         const QRect area = laneRect(lane);
-        const QRect label(kMargin, area.top(), area.left() - 2 * kMargin, area.height());
+        const QRect label(kStripMargin, area.top(), area.left() - 2 * kStripMargin, area.height());
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter, laneName(lane));
         painter.setPen(line);
@@ -339,16 +339,16 @@ void TimelineStrip::drawRuler(QPainter& painter) const
         painter.setPen(shade(timelineColour(TimelineLane::Ruler, theme())));
         painter.drawLine(QPointF(x, area.bottom() - 2), QPointF(x, area.bottom()));
         constexpr int kNumberWidth = 40;
-        const QRect number(std::clamp(static_cast<int>(x) - kNumberWidth / 2, area.left() - kMargin,
-                                      std::max(area.left(), area.right() + kMargin - kNumberWidth)),
+        const QRect number(std::clamp(static_cast<int>(x) - kNumberWidth / 2, area.left() - kStripMargin,
+                                      std::max(area.left(), area.right() + kStripMargin - kNumberWidth)),
                            area.top(), kNumberWidth, area.height() - 2);
         // The first number only where the next leaves room for it.
         if (step == 0 && each > 1 && each * columnRect(0).width() < kTickSpace)
             continue;
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(number,
-                         (number.left() == area.left() - kMargin ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter,
-                         QString::number(step + 1));
+        painter.drawText(
+            number, (number.left() == area.left() - kStripMargin ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter,
+            QString::number(step + 1));
     }
 }
 
