@@ -136,6 +136,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWi
     recent_->setAccessibleName(tr("Recent files"));
     constexpr int kOneRow = 34;  // [px]
     recent_->setMinimumHeight(kOneRow);
+    recent_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what is left is its
     page->addWidget(recent_, 1);
     connect(recent_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         if (const QString file = item->data(Qt::UserRole).toString(); !file.isEmpty())
