@@ -41,9 +41,9 @@ QVBoxLayout* addCard(QHBoxLayout* row, const QString& title, const QString& text
 {
     auto* card = new QFrame;
     card->setFrameShape(QFrame::StyledPanel);
-    card->setMinimumWidth(220);
+    card->setMinimumWidth(200);
     auto* layout = new QVBoxLayout(card);
-    layout->setContentsMargins(18, 16, 18, 16);
+    layout->setContentsMargins(14, 12, 14, 12);
     auto* heading = new QLabel(title);
     QFont font = scaled(heading->font(), 1.25);
     font.setBold(true);
@@ -53,7 +53,7 @@ QVBoxLayout* addCard(QHBoxLayout* row, const QString& title, const QString& text
     line->setWordWrap(true);
     line->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     // A layout asks wrapped text for its height only while it has room for all of it.
-    constexpr int kMostLines = 5;
+    constexpr int kMostLines = 6;
     line->setMinimumHeight(kMostLines * line->fontMetrics().lineSpacing());
     layout->addWidget(line);
     layout->addStretch(1);
@@ -87,11 +87,11 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWi
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(area);
     auto* page = new QVBoxLayout(content);
-    page->setContentsMargins(40, 20, 40, 16);
+    page->setContentsMargins(24, 12, 24, 10);
     auto* title = new QLabel(tr("Watch a room grow into planes"));
     title->setFont(scaled(title->font(), 1.9));
     page->addWidget(title);
-    page->addSpacing(12);
+    page->addSpacing(6);
 
     auto* cards = new QHBoxLayout;
     cards->setSpacing(16);
@@ -116,7 +116,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWi
     QPushButton* connectScanner = addButton(scanner, tr("Connect…"), QStringLiteral("welcomeConnect"));
     connect(connectScanner, &QPushButton::clicked, this, &WelcomePage::connectRequested);
 
-    page->addSpacing(16);
+    page->addSpacing(8);
     page->addWidget(new QLabel(tr("Other simulated rooms, each known to the millimetre")));
     auto* rooms = new QHBoxLayout;
     rooms->setSpacing(8);
@@ -128,15 +128,15 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QListWi
                 [this, scene] { emit openRequested(QStringLiteral("sim:%1?seed=1").arg(scene)); });
     }
 
-    page->addSpacing(16);
+    page->addSpacing(8);
     auto* recentTitle = new QLabel(tr("&Recent"));
     recentTitle->setBuddy(recent_);
     page->addWidget(recentTitle);
     recent_->setObjectName(QStringLiteral("welcomeRecent"));
     recent_->setAccessibleName(tr("Recent files"));
-    constexpr int kFewestRows = 2;
-    constexpr int kRow = 28;  // [px]
-    recent_->setMinimumHeight(kFewestRows * kRow);
+    constexpr int kOneRow = 34;  // [px]
+    recent_->setMinimumHeight(kOneRow);
+    recent_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what is left is its
     page->addWidget(recent_, 1);
     connect(recent_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
         if (const QString file = item->data(Qt::UserRole).toString(); !file.isEmpty())
