@@ -38,9 +38,11 @@ bool isTestRow(const QModelIndex& index)
     return (index.internalId() >> kPhaseBits) != 0;
 }
 
+/// Short times have a digit more: no phase takes 0 ms.
 QString millisecondsText(std::chrono::nanoseconds time)
 {
-    return QStringLiteral("%1 ms").arg(numberText(std::chrono::duration<double, std::milli>(time).count(), 1));
+    const double milliseconds = std::chrono::duration<double, std::milli>(time).count();
+    return QStringLiteral("%1 ms").arg(numberText(milliseconds, milliseconds < 1.0 ? 2 : 1));
 }
 
 }  // namespace
