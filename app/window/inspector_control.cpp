@@ -13,6 +13,8 @@ namespace {
 
 /// How often the inspector follows steps that come faster than the playhead rests.
 constexpr std::chrono::milliseconds kLiveEvery{300};
+/// Narrower, most rows would take three lines.
+constexpr int kLeastInspectorWidth = 300;  // [px]
 
 bool hasPlane(const Snapshot& snapshot, PlaneId plane)
 {
@@ -40,6 +42,7 @@ InspectorControl::InspectorControl(WindowParts& parts, HistoryControl& history)
     tabs_->setObjectName(QStringLiteral("inspectorTabs"));
     tabs_->setAccessibleName(tr("Step inspector"));
     tabs_->setDocumentMode(true);
+    tabs_->setMinimumWidth(kLeastInspectorWidth);
     tabs_->addTab(inspector_, tr("Step"));
     tabs_->addTab(whyNot_, tr("Why not?"));
     inspector_->setLengthStyle(parts_.preferences.lengths);
