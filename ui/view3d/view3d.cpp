@@ -10,6 +10,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "core/types/plane_words.h"
 #include "ui/view3d/overlay_widget.h"
 
 namespace planewright {
@@ -25,16 +26,14 @@ constexpr double kZoomOfNotch = 1.2;
 /// What is said at the pointer about what is there.
 QString tipOf(const Picked& picked, const ShownMap& map)
 {
-    if (picked.plane == kNoPlane)
-        return picked.segment
-                   ? View3d::tr("segment %1.%2, unfitted").arg(picked.segment->step + 1).arg(picked.segment->index)
-                   : QString();
+    if (picked.plane == kNoPlane && picked.segment)
+        return View3d::tr("segment %1, unfitted").arg(QString::fromStdString(segmentLabel(*picked.segment)));
     const auto shown = std::find_if(map.planes.begin(), map.planes.end(),
                                     [&](const ShownPlane& plane) { return plane.plane->id == picked.plane; });
     if (shown == map.planes.end())
         return {};
-    return View3d::tr("P%1 %2, %3 m², E %4")
-        .arg(picked.plane, 2, 10, QLatin1Char('0'))
+    return View3d::tr("%1 %2, %3 m², E %4")
+        .arg(QString::fromStdString(planeLabel(picked.plane)))
         .arg(QString::fromStdString(shown->name.empty() ? shown->className : shown->name))
         .arg(shown->outline ? shown->outline->outline.area : 0.0, 0, 'f', 2)
         .arg(shown->plane->fittingError, 0, 'f', 2);

@@ -162,6 +162,7 @@ void InspectorWindowTest::itTellsOfTheStepAtThePlayhead()
 
 void InspectorWindowTest::nothingIsWorkedOutWhileItIsHidden()
 {
+    shown_->action("actLayoutOperate")->trigger();
     QVERIFY(shown_->scanCorridor());
     QVERIFY(goTo(20));
     QTest::qWait(500);
