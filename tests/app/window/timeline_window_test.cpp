@@ -37,6 +37,7 @@ private slots:
     void editsAreMarkedWhereTheirPlaneWasBorn();
     void layoutsShowWhatTheyAreFor_data();
     void layoutsShowWhatTheyAreFor();
+    void everyStepLooksTheSameBothWays_data();
     void everyStepLooksTheSameBothWays();
 
 private:
@@ -439,9 +440,25 @@ void TimelineWindowTest::layoutsShowWhatTheyAreFor()
     fits();
 }
 
-/// Some of 155 steps, and with PLANEWRIGHT_TEST_LONG set all of them.
+/// Some of 155 steps, neighbours and jumps; and with PLANEWRIGHT_TEST_LONG set all of them, in ranges that overlap.
+void TimelineWindowTest::everyStepLooksTheSameBothWays_data()
+{
+    QTest::addColumn<int>("from");
+    QTest::addColumn<int>("to");
+    QTest::addColumn<int>("apart");
+    QTest::newRow("some") << 3 << 155 << 31;
+    if (!qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG"))
+        return;
+    constexpr int kRange = 31;
+    for (int from = 0; from < 155; from += kRange)
+        QTest::addRow("from step %d", from + 1) << from << from + kRange << 1;
+}
+
 void TimelineWindowTest::everyStepLooksTheSameBothWays()
 {
+    QFETCH(int, from);
+    QFETCH(int, to);
+    QFETCH(int, apart);
     constexpr int kSteps = 155;
     SimulatedScanner simulation = SessionOptions{}.simulation;
     simulation.settings.slices = kSteps;
@@ -451,10 +468,10 @@ void TimelineWindowTest::everyStepLooksTheSameBothWays()
     rest();
     QCOMPARE(newest(), kSteps);
     std::vector<int> places;
-    const int every = qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG") ? 1 : 31;
-    for (int at = 3; at < kSteps - 1; at += every)
-        places.insert(places.end(), {at, at + 1});  // neighbours, and jumps
-    places.push_back(kSteps);
+    for (int at = from; at < to; at += apart)
+        places.insert(places.end(), {at, at + 1});
+    if (places.back() != kSteps)
+        places.push_back(kSteps);  // the forced last pass
     places.erase(std::unique(places.begin(), places.end()), places.end());
     const auto pictureAt = [&](int at) {
         parts_->playhead.goTo(at);
