@@ -5,10 +5,7 @@
 
 #include <algorithm>
 
-#include <QJsonArray>
-#include <QJsonDocument>
-
-#include "core/types/plane_words.h"
+#include "app/window/timeline_words.h"
 
 namespace planewright {
 
@@ -16,57 +13,6 @@ namespace {
 
 constexpr std::string_view kBookmarksKey = "bookmarks";
 constexpr int kManySteps = 10;
-
-/// What the user has said of planes, in a line.
-QString lineOf(const Edit& edit)
-{
-    QStringList planes;
-    for (const PlaneId plane : edit.planes)
-        planes.push_back(QString::fromStdString(planeLabel(plane)));
-    const QString text = QString::fromStdString(edit.text);
-    const QString names = planes.join(QStringLiteral(", "));
-    switch (edit.kind) {
-        case Edit::Kind::Rename:
-            return text.isEmpty() ? TimelineControl::tr("%1: name taken away").arg(names)
-                                  : TimelineControl::tr("%1: named %2").arg(names, text);
-        case Edit::Kind::Classify:
-            return text.isEmpty() ? TimelineControl::tr("%1: class by normal and height").arg(names)
-                                  : TimelineControl::tr("%1: class %2").arg(names, text);
-        case Edit::Kind::Hide:
-            return edit.on ? TimelineControl::tr("%1: hidden").arg(names)
-                           : TimelineControl::tr("%1: shown again").arg(names);
-        case Edit::Kind::Delete:
-            return TimelineControl::tr("%1: deleted").arg(names);
-        case Edit::Kind::Merge:
-            return TimelineControl::tr("%1: merged").arg(names);
-        case Edit::Kind::Split:
-            return TimelineControl::tr("%1: split").arg(names);
-        case Edit::Kind::Lock:
-            break;
-    }
-    return edit.on ? TimelineControl::tr("%1: locked").arg(names) : TimelineControl::tr("%1: unlocked").arg(names);
-}
-
-/// What a slice says against itself, and what was lost before it.
-QStringList troublesOf(const ExtractedStep& step, const ExtractedStep* before)
-{
-    QStringList troubles;
-    if (!step.measured)
-        return troubles;
-    const int expected = before != nullptr && before->measured ? before->measured->step + 1 : 0;
-    const int missing = step.measured->step - expected;
-    if (missing == 1)
-        troubles.push_back(TimelineControl::tr("step %1 was lost").arg(expected + 1));
-    else if (missing > 1)
-        troubles.push_back(TimelineControl::tr("steps %1 to %2 were lost").arg(expected + 1).arg(step.measured->step));
-    if (step.measured->angleSuspect)
-        troubles.push_back(TimelineControl::tr("its pitch may be wrong: no planes are made of it"));
-    if (step.measured->timeSuspect)
-        troubles.push_back(TimelineControl::tr("its time may be wrong"));
-    if (step.measured->retaken)
-        troubles.push_back(TimelineControl::tr("taken again after a fault"));
-    return troubles;
-}
 
 TimelineActions timelineActions(const WindowActions& actions)
 {
@@ -79,26 +25,6 @@ TimelineActions timelineActions(const WindowActions& actions)
             .eventBack = actions[QStringLiteral("actEventBack")],
             .eventForward = actions[QStringLiteral("actEventForward")],
             .live = actions[QStringLiteral("actLive")]};
-}
-
-/// JSON: the numbers of steps. A text that is no such list gives none.
-std::set<int> stepsOf(const std::string& text)
-{
-    std::set<int> steps;
-    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-    for (const QJsonValue step : document.array()) {
-        if (step.isDouble() && step.toInt(kLastPass) >= kLastPass)
-            steps.insert(step.toInt(kLastPass));
-    }
-    return steps;
-}
-
-std::string textOfSteps(const std::set<int>& steps)
-{
-    QJsonArray array;
-    for (const int step : steps)
-        array.append(step);
-    return QJsonDocument(array).toJson(QJsonDocument::Compact).toStdString();
 }
 
 }  // namespace
@@ -331,7 +257,8 @@ void TimelineControl::saveBookmarks()
     PwscanProject* project = parts_.session.project();
     if (project == nullptr || !project->readOnlyBecause().empty())
         return;
-    const auto done = project->setSetting(parts_.session.scanInProject(), kBookmarksKey, textOfSteps(bookmarkedSteps_));
+    const auto done =
+        project->setSetting(parts_.session.scanInProject(), kBookmarksKey, textOfBookmarks(bookmarkedSteps_));
     if (!done)
         parts_.log(LogSeverity::Warning, tr("bookmarks"), QString::fromStdString(done.error().message));
 }
@@ -344,7 +271,7 @@ void TimelineControl::takeProject()
     if (PwscanProject* project = parts_.session.project()) {
         const auto text = project->setting(parts_.session.scanInProject(), kBookmarksKey);
         if (text && *text)
-            bookmarkedSteps_ = stepsOf(**text);
+            bookmarkedSteps_ = bookmarkedStepsOf(**text);
     }
     showBookmarks();
 }
@@ -409,7 +336,7 @@ void TimelineControl::takeEdits()
         // Planes that edits have made are not among those of the scan.
         if (place < 0)
             place = static_cast<int>(columns_.size()) - 1;
-        edits_.emplace_back(place, lineOf(edit));
+        edits_.emplace_back(place, timelineLineOf(edit));
     }
     showColumns();
 }

@@ -13,14 +13,14 @@ namespace planewright {
 
 namespace {
 
-QString words(const char* text)
+QString timelineWords(const char* text)
 {
     return QCoreApplication::translate("Timeline", text);
 }
 
 QString counted(int count, const char* one, const char* many)
 {
-    return count == 1 ? words(one) : words(many).arg(count);
+    return count == 1 ? timelineWords(one) : timelineWords(many).arg(count);
 }
 
 /// What happened to the planes of a place, as far as it did.
@@ -34,9 +34,9 @@ QStringList happenedAt(const TimelineColumn& column)
     if (column.merges > 0)
         happened.push_back(counted(column.merges, "1 merge", "%1 merges"));
     if (happened.empty() && column.fits)
-        happened.push_back(words("fit without a new plane"));
+        happened.push_back(timelineWords("fit without a new plane"));
     if (column.operations() == 0 && column.splitsAndMerges)
-        happened.push_back(words("nothing to split or merge"));
+        happened.push_back(timelineWords("nothing to split or merge"));
     return happened;
 }
 
@@ -100,10 +100,10 @@ QString timelineTip(const TimelineColumn& column, bool bookmarked, int planned)
 {
     QStringList lines;
     if (column.step < 0)
-        lines.push_back(words("Last pass over all segments"));
+        lines.push_back(timelineWords("Last pass over all segments"));
     else
-        lines.push_back((planned > 0 ? words("Step %1 of %2").arg(column.step + 1).arg(planned)
-                                     : words("Step %1").arg(column.step + 1)) +
+        lines.push_back((planned > 0 ? timelineWords("Step %1 of %2").arg(column.step + 1).arg(planned)
+                                     : timelineWords("Step %1").arg(column.step + 1)) +
                         QStringLiteral(", φ %1°").arg(angleText(column.tilt)));
     if (column.step >= 0)
         lines.push_back(counted(column.points, "1 point", "%1 points") + QStringLiteral(", ") +
@@ -117,7 +117,7 @@ QString timelineTip(const TimelineColumn& column, bool bookmarked, int planned)
     for (const QString& edit : column.edits)
         lines.push_back(QStringLiteral("✎ ") + edit);
     if (bookmarked)
-        lines.push_back(words("Bookmark"));
+        lines.push_back(timelineWords("Bookmark"));
     return lines.join(QLatin1Char('\n'));
 }
 

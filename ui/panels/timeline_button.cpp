@@ -107,7 +107,7 @@ bool takesSpace(QEvent* event)
     return true;
 }
 
-void setUp(QToolButton& button, QAction* action)
+void setUpTimelineButton(QToolButton& button, QAction* action)
 {
     button.setDefaultAction(action);
     button.setObjectName(action->objectName() + QStringLiteral("Button"));
@@ -121,7 +121,7 @@ void setUp(QToolButton& button, QAction* action)
 TimelineButton::TimelineButton(TimelineGlyph glyph, QAction* action, QWidget* parent)
     : QToolButton(parent), glyph_(glyph)
 {
-    setUp(*this, action);
+    setUpTimelineButton(*this, action);
 }
 
 QSize TimelineButton::sizeHint() const
@@ -153,7 +153,7 @@ void TimelineButton::paintEvent(QPaintEvent* /*event*/)
 
 LiveButton::LiveButton(QAction* action, QWidget* parent) : QToolButton(parent)
 {
-    setUp(*this, action);
+    setUpTimelineButton(*this, action);
     pulse_.setInterval(kBeatTime);
     connect(&pulse_, &QTimer::timeout, this, [this] {
         beat_ = (beat_ + 1) % kBeats;

@@ -21,6 +21,8 @@ namespace planewright {
 enum class TimelineLane { Ruler, PointCount, SegmentCount, Fits, SplitMerge, Faults, Edits };
 inline constexpr std::size_t kTimelineLanes = 7;
 
+/// What stands before a lane.
+QString timelineLaneName(TimelineLane lane);
 /// The colours of a lane's marks, 3 : 1 at least against what they stand on.
 Rgb timelineColour(TimelineLane lane, Theme theme);
 /// Of the edge at which a scan goes on while somebody looks back.
@@ -73,6 +75,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    static constexpr int kMargin = 4;  ///< beside the columns [px]
+
     enum class Drag { None, Scrub, Loop };
 
     struct Places {

@@ -37,6 +37,7 @@ private slots:
     void editsAreMarkedWhereTheirPlaneWasBorn();
     void layoutsShowWhatTheyAreFor_data();
     void layoutsShowWhatTheyAreFor();
+    void everyStepLooksTheSameBothWays_data();
     void everyStepLooksTheSameBothWays();
 
 private:
@@ -413,7 +414,7 @@ void TimelineWindowTest::layoutsShowWhatTheyAreFor()
             const QRect placed(each->mapTo(&window, QPoint()), each->size());
             QVERIFY2(!each->isVisible() || window.rect().contains(placed), qPrintable(each->objectName()));
         }
-        QVERIFY(window.view().parentWidget()->height() >= 200);
+        QVERIFY(window.centralWidget()->height() >= 200);
         // All of its buttons are to be seen.
         const QRect live(panel().findChild<LiveButton*>()->mapTo(&panel(), QPoint()),
                          panel().findChild<LiveButton*>()->size());
@@ -424,12 +425,12 @@ void TimelineWindowTest::layoutsShowWhatTheyAreFor()
     fits();
     QVERIFY(dock("dockTimeline")->isVisible() && dock("dockSetup")->isVisible() && dock("dockPlanes")->isVisible());
     QVERIFY(!dock("dockBottom")->isVisible());
-    const int tall = window.view().parentWidget()->height();
+    const int tall = window.centralWidget()->height();
     action("actLayoutInspect")->trigger();
     fits();
     QVERIFY(dock("dockTimeline")->isVisible() && dock("dockBottom")->isVisible());
     QVERIFY(dock("dockBottom")->y() > dock("dockTimeline")->y());
-    QVERIFY(window.view().parentWidget()->height() < tall);
+    QVERIFY(window.centralWidget()->height() < tall);
     QVERIFY(std::abs(dock("dockTimeline")->height() - 132) <= 12);
     QVERIFY(!dock("dockTimeline")->features().testFlag(QDockWidget::DockWidgetClosable));
     action("actLayoutPresent")->trigger();
@@ -439,9 +440,25 @@ void TimelineWindowTest::layoutsShowWhatTheyAreFor()
     fits();
 }
 
-/// Some of 155 steps, and with PLANEWRIGHT_TEST_LONG set all of them.
+/// Some of 155 steps, neighbours and jumps; and with PLANEWRIGHT_TEST_LONG set all of them, in ranges that overlap.
+void TimelineWindowTest::everyStepLooksTheSameBothWays_data()
+{
+    QTest::addColumn<int>("from");
+    QTest::addColumn<int>("to");
+    QTest::addColumn<int>("apart");
+    QTest::newRow("some") << 3 << 155 << 31;
+    if (!qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG"))
+        return;
+    constexpr int kRange = 31;
+    for (int from = 0; from < 155; from += kRange)
+        QTest::addRow("from step %d", from + 1) << from << from + kRange << 1;
+}
+
 void TimelineWindowTest::everyStepLooksTheSameBothWays()
 {
+    QFETCH(int, from);
+    QFETCH(int, to);
+    QFETCH(int, apart);
     constexpr int kSteps = 155;
     SimulatedScanner simulation = SessionOptions{}.simulation;
     simulation.settings.slices = kSteps;
@@ -451,10 +468,10 @@ void TimelineWindowTest::everyStepLooksTheSameBothWays()
     rest();
     QCOMPARE(newest(), kSteps);
     std::vector<int> places;
-    const int every = qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG") ? 1 : 31;
-    for (int at = 3; at < kSteps - 1; at += every)
-        places.insert(places.end(), {at, at + 1});  // neighbours, and jumps
-    places.push_back(kSteps);
+    for (int at = from; at < to; at += apart)
+        places.insert(places.end(), {at, at + 1});
+    if (places.back() != kSteps)
+        places.push_back(kSteps);  // the forced last pass
     places.erase(std::unique(places.begin(), places.end()), places.end());
     const auto pictureAt = [&](int at) {
         parts_->playhead.goTo(at);
