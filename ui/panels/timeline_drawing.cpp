@@ -115,7 +115,7 @@ Rgb liveEdgeColour(Theme theme)
 void TimelineStrip::drawEmpty(QPainter& painter) const
 {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(rect().adjusted(kStripMargin, 0, -kStripMargin, 0), Qt::AlignCenter | Qt::TextWordWrap,
+    painter.drawText(rect().adjusted(kMargin, 0, -kMargin, 0), Qt::AlignCenter | Qt::TextWordWrap,
                      tr("Every step of a scan appears here, to be looked at again. Press F5 to scan, or open a "
                         "recording."));
 }
@@ -139,7 +139,7 @@ void TimelineStrip::drawLabels(QPainter& painter) const
     for (std::size_t number = 0; number < kTimelineLanes; ++number) {
         const auto lane = static_cast<TimelineLane>(number);
         const QRect area = laneRect(lane);
-        const QRect label(kStripMargin, area.top(), area.left() - 2 * kStripMargin, area.height());
+        const QRect label(kMargin, area.top(), area.left() - 2 * kMargin, area.height());
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter, timelineLaneName(lane));
         painter.setPen(line);
@@ -167,16 +167,16 @@ void TimelineStrip::drawRuler(QPainter& painter) const
         painter.setPen(timelineShade(timelineColour(TimelineLane::Ruler, theme())));
         painter.drawLine(QPointF(x, area.bottom() - 2), QPointF(x, area.bottom()));
         constexpr int kNumberWidth = 40;
-        const QRect number(std::clamp(static_cast<int>(x) - kNumberWidth / 2, area.left() - kStripMargin,
-                                      std::max(area.left(), area.right() + kStripMargin - kNumberWidth)),
+        const QRect number(std::clamp(static_cast<int>(x) - kNumberWidth / 2, area.left() - kMargin,
+                                      std::max(area.left(), area.right() + kMargin - kNumberWidth)),
                            area.top(), kNumberWidth, area.height() - 2);
         // The first number only where the next leaves room for it.
         if (step == 0 && each > 1 && each * columnRect(0).width() < kTickSpace)
             continue;
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(
-            number, (number.left() == area.left() - kStripMargin ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter,
-            QString::number(step + 1));
+        painter.drawText(number,
+                         (number.left() == area.left() - kMargin ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter,
+                         QString::number(step + 1));
     }
 }
 

@@ -100,7 +100,7 @@ int TimelineStrip::labelWidth() const
     for (std::size_t lane = 0; lane < kTimelineLanes; ++lane)
         widest = std::max(widest, metrics.horizontalAdvance(timelineLaneName(static_cast<TimelineLane>(lane))));
     constexpr int kForMark = 18;
-    return widest + kForMark + kStripMargin;
+    return widest + kForMark + kMargin;
 }
 
 QSize TimelineStrip::minimumSizeHint() const
@@ -134,7 +134,7 @@ QRect TimelineStrip::laneRect(TimelineLane lane) const
 {
     const auto& [left, tops] = places();
     const auto number = static_cast<std::size_t>(lane);
-    return {left, tops[number], std::max(1, width() - left - kStripMargin), tops[number + 1] - tops[number]};
+    return {left, tops[number], std::max(1, width() - left - kMargin), tops[number + 1] - tops[number]};
 }
 
 QRectF TimelineStrip::columnRect(int place) const
