@@ -191,6 +191,11 @@ void MainWindow::inspect()
     resizeDocks({docks_[QStringLiteral("dockPlanes")], docks_[QStringLiteral("dockInspector")]}, {2, 3}, Qt::Vertical);
 }
 
+void MainWindow::compare()
+{
+    arrange({QStringLiteral("dockTimeline"), QStringLiteral("dockBottom")});
+}
+
 void MainWindow::arrange(const QStringList& shown)
 {
     for (auto dock = docks_.cbegin(); dock != docks_.cend(); ++dock) {

@@ -52,9 +52,11 @@ public:
 
     void setSource(const QString& source);
 
-    // Layouts: what a scan is run with; every panel, as at the first start; the view alone.
+    // Layouts: what a scan is run with; every panel, as at the first start; two views over
+    // timeline and table; the view alone.
     void operate();
     void inspect();
+    void compare();
     void present(bool on);
     void resetLayout();
     /// Docks and sizes of the last time; a layout of another version, or one off the screen, is left alone.

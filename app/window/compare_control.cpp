@@ -80,6 +80,8 @@ void CompareControl::connectActions()
     };
     connect(actions[QStringLiteral("actCompare")], &QAction::triggered, this, show);
     connect(actions[QStringLiteral("actLayoutCompare")], &QAction::triggered, this, [this, show] {
+        parts_.window->present(false);
+        parts_.window->compare();
         show();
         if (!branch_)
             run(panel_->choice());

@@ -31,11 +31,13 @@ constexpr std::array<FilterKey, 7> kCompareKeys{{
     {"segments", CompareKind::Number, static_cast<int>(CompareColumn::SegmentsA)},
 }};
 
+constexpr int kSideWidth = 360;  // of the choice beside the table [px]
+
 QString totalsRow(const QString& name, const Snapshot& map)
 {
     const StepCounts& counts = map.report.counts;
     const auto cell = [](const QString& text) {
-        return QStringLiteral("<td align=\"right\" style=\"padding-left:16px\">%1</td>").arg(text);
+        return QStringLiteral("<td align=\"right\" style=\"padding-left:12px\">%1</td>").arg(text);
     };
     return QStringLiteral("<tr><td><b>%1</b></td>").arg(name.toHtmlEscaped()) + cell(QString::number(counts.planes)) +
            cell(QString::number(counts.fitted)) + cell(QString::number(counts.unfitted)) +
@@ -77,18 +79,18 @@ ComparePanel::ComparePanel(CompareModel& model, QWidget* parent)
     totals_->setTextFormat(Qt::RichText);
 
     auto* left = new QVBoxLayout;
-    left->addWidget(choice_);
-    left->addWidget(meaning_);
     auto* buttons = new QHBoxLayout;
+    buttons->addWidget(choice_, 1);
     buttons->addWidget(run_);
     buttons->addWidget(close_);
     left->addLayout(buttons);
+    left->addWidget(meaning_);
     left->addWidget(progress_);
     left->addWidget(totals_);
     left->addStretch(1);
     auto* side = new QWidget(this);
     side->setLayout(left);
-    side->setFixedWidth(300);
+    side->setFixedWidth(kSideWidth);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(side);
@@ -163,7 +165,7 @@ void ComparePanel::setTotals(const Snapshot* a, const Snapshot* b)
         return;
     }
     const auto head = [](const QString& text) {
-        return QStringLiteral("<td align=\"right\" style=\"padding-left:16px\">%1</td>").arg(text);
+        return QStringLiteral("<td align=\"right\" style=\"padding-left:12px\">%1</td>").arg(text);
     };
     totals_->setText(QStringLiteral("<table><tr><td></td>") + head(tr("planes")) + head(tr("fitted")) +
                      head(tr("unfitted")) + head(tr("mean E")) + QStringLiteral("</tr>") +
