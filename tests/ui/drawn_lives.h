@@ -8,24 +8,9 @@
 #include <vector>
 
 #include "core/pipeline/plane_lives.h"
+#include "tests/core/pipeline/drawn_step.h"
 
 namespace planewright {
-
-/// A step drawn by hand: what was decided, and how many segments each plane has after it.
-inline Snapshot drawnStep(int step, std::vector<Decision> decisions, const std::vector<std::pair<PlaneId, int>>& planes)
-{
-    Snapshot snapshot;
-    snapshot.report.step = step;
-    snapshot.report.decisions = std::move(decisions);
-    for (const auto& [id, size] : planes) {
-        Plane plane;
-        plane.id = id;
-        for (int i = 0; i < size; ++i)
-            plane.segments.push_back({i, id});
-        snapshot.planes.push_back(std::make_shared<const Plane>(plane));
-    }
-    return snapshot;
-}
 
 /// Plane 0 is made of cluster 4, then 1 of cluster 6; 0 is split into 0 and 2; 1 goes into 2; plane 3 has nothing to do
 /// with them; the last pass gives 0 up. The newest slice is of step 20.

@@ -7,6 +7,7 @@
 
 #include "core/params/presets.h"
 #include "core/pipeline/plane_extractor.h"
+#include "tests/core/pipeline/drawn_step.h"
 #include "tests/core/pipeline/simulated_room.h"
 #include "tests/test_program.h"
 
@@ -14,22 +15,6 @@ namespace planewright {
 namespace {
 
 using Kind = LifeEventKind;
-
-/// A step drawn by hand: what was decided, and how many segments each plane has after it.
-Snapshot drawn(int step, std::vector<Decision> decisions, const std::vector<std::pair<PlaneId, int>>& planes)
-{
-    Snapshot snapshot;
-    snapshot.report.step = step;
-    snapshot.report.decisions = std::move(decisions);
-    for (const auto& [id, size] : planes) {
-        Plane plane;
-        plane.id = id;
-        for (int i = 0; i < size; ++i)
-            plane.segments.push_back({i, id});
-        snapshot.planes.push_back(std::make_shared<const Plane>(plane));
-    }
-    return snapshot;
-}
 
 Decision fitted(PlaneId plane, ClusterId cluster)
 {
@@ -61,12 +46,12 @@ std::vector<Kind> kindsOf(const PlaneLife& life)
 PlaneLives drawnLives()
 {
     PlaneLives lives;
-    lives.add(drawn(4, {fitted(0, 4)}, {{0, 5}}));
-    lives.add(drawn(5, {}, {{0, 8}}));
-    lives.add(drawn(6, {fitted(1, 6)}, {{0, 8}, {1, 3}}));
-    lives.add(drawn(7, {split(0, {0, 2})}, {{0, 4}, {1, 3}, {2, 4}}));
-    lives.add(drawn(14, {merged(1, 2, 2)}, {{0, 4}, {2, 7}}));
-    lives.add(drawn(-1, {{Phase::Finish, DecisionKind::NoFit, {PlaneRef{0}}, {}, {}}}, {{2, 7}}));
+    lives.add(drawnStep(4, {fitted(0, 4)}, {{0, 5}}));
+    lives.add(drawnStep(5, {}, {{0, 8}}));
+    lives.add(drawnStep(6, {fitted(1, 6)}, {{0, 8}, {1, 3}}));
+    lives.add(drawnStep(7, {split(0, {0, 2})}, {{0, 4}, {1, 3}, {2, 4}}));
+    lives.add(drawnStep(14, {merged(1, 2, 2)}, {{0, 4}, {2, 7}}));
+    lives.add(drawnStep(-1, {{Phase::Finish, DecisionKind::NoFit, {PlaneRef{0}}, {}, {}}}, {{2, 7}}));
     return lives;
 }
 
@@ -124,7 +109,7 @@ void PlaneLivesTest::aMergedPlaneEndsInTheOther()
 void PlaneLivesTest::familiesHoldAncestorsAndDescendants()
 {
     PlaneLives lives = drawnLives();
-    lives.add(drawn(-1, {fitted(9, 8)}, {{2, 7}, {9, 3}}));
+    lives.add(drawnStep(-1, {fitted(9, 8)}, {{2, 7}, {9, 3}}));
 
     QCOMPARE(lives.familyOf(2), (std::vector<PlaneId>{0, 1, 2}));
     QCOMPARE(lives.familyOf(0), (std::vector<PlaneId>{0, 2}));
@@ -165,9 +150,9 @@ void PlaneLivesTest::aPlaneIsFollowedOverSplitsAndMerges()
 void PlaneLivesTest::whatWasSplitBeforeTheMergeIsNotFollowed()
 {
     PlaneLives lives;
-    lives.add(drawn(0, {fitted(0, 0), fitted(1, 1)}, {{0, 9}, {1, 3}}));
+    lives.add(drawnStep(0, {fitted(0, 0), fitted(1, 1)}, {{0, 9}, {1, 3}}));
     // In one step, 2 is split off from 0, and then 1 goes into 0.
-    lives.add(drawn(1, {split(0, {0, 2}), merged(0, 1, 0)}, {{0, 8}, {2, 4}}));
+    lives.add(drawnStep(1, {split(0, {0, 2}), merged(0, 1, 0)}, {{0, 8}, {2, 4}}));
 
     QCOMPARE(lives.follow(1, 0, 1), std::vector<PlaneId>{0});
     QCOMPARE(lives.follow(0, 0, 1), (std::vector<PlaneId>{0, 2}));
@@ -178,10 +163,10 @@ void PlaneLivesTest::whatWasSplitBeforeTheMergeIsNotFollowed()
 void PlaneLivesTest::aPlaneOfSegmentsOfOneTakenApartComesFromIt()
 {
     PlaneLives lives;
-    lives.add(drawn(0, {fitted(0, 0)}, {{0, 9}}));
+    lives.add(drawnStep(0, {fitted(0, 0)}, {{0, 9}}));
     const Decision riser{
         Phase::Finish, DecisionKind::Fit, {SegmentId{0, 0}, SegmentId{1, 0}, SegmentId{2, 0}}, {}, {PlaneRef{1}}};
-    lives.add(drawn(-1, {split(0, {}), riser}, {{1, 3}}));
+    lives.add(drawnStep(-1, {split(0, {}), riser}, {{1, 3}}));
 
     QCOMPARE(kindsOf(lives.lives().at(0)), (std::vector{Kind::Fitted, Kind::TakenApart}));
     QCOMPARE(lives.lives().at(0).events[1].others, std::vector<PlaneId>{1});
@@ -193,12 +178,12 @@ void PlaneLivesTest::aPlaneGivenUpAtOnceIsNoAncestor()
 {
     const std::vector<Operand> seeds{SegmentId{0, 0}, SegmentId{1, 0}, SegmentId{2, 0}};
     PlaneLives lives;
-    lives.add(drawn(2,
-                    {{Phase::Cluster, DecisionKind::Cluster, {SegmentId{0, 0}}, {}, {ClusterRef{3}}},
-                     {Phase::Fit, DecisionKind::Fit, seeds, {}, {PlaneRef{0}}},
-                     {Phase::Fit, DecisionKind::NoFit, {PlaneRef{0}}, {}, {}},
-                     {Phase::Fit, DecisionKind::Fit, seeds, {}, {PlaneRef{1}}}},
-                    {{1, 3}}));
+    lives.add(drawnStep(2,
+                        {{Phase::Cluster, DecisionKind::Cluster, {SegmentId{0, 0}}, {}, {ClusterRef{3}}},
+                         {Phase::Fit, DecisionKind::Fit, seeds, {}, {PlaneRef{0}}},
+                         {Phase::Fit, DecisionKind::NoFit, {PlaneRef{0}}, {}, {}},
+                         {Phase::Fit, DecisionKind::Fit, seeds, {}, {PlaneRef{1}}}},
+                        {{1, 3}}));
 
     QVERIFY(!lives.lives().contains(0));
     QCOMPARE(kindsOf(lives.lives().at(1)), std::vector{Kind::Fitted});
@@ -208,8 +193,8 @@ void PlaneLivesTest::aPlaneGivenUpAtOnceIsNoAncestor()
 void PlaneLivesTest::aPlaneThatEndsUnsaidIsDeleted()
 {
     PlaneLives lives;
-    lives.add(drawn(0, {fitted(0, 0)}, {{0, 4}}));
-    lives.add(drawn(1, {}, {}));
+    lives.add(drawnStep(0, {fitted(0, 0)}, {{0, 4}}));
+    lives.add(drawnStep(1, {}, {}));
 
     QCOMPARE(kindsOf(lives.lives().at(0)), (std::vector{Kind::Fitted, Kind::Deleted}));
     QCOMPARE(lives.lives().at(0).events[1].step, 1);
@@ -217,13 +202,13 @@ void PlaneLivesTest::aPlaneThatEndsUnsaidIsDeleted()
 
 void PlaneLivesTest::withoutDecisionsPlanesSayThemselves()
 {
-    Snapshot merged = drawn(2, {}, {{0, 9}});
+    Snapshot merged = drawnStep(2, {}, {{0, 9}});
     Plane kept = *merged.planes[0];
     kept.lineage = {Lineage::Kind::Merged, {0, 1}};
     merged.planes[0] = std::make_shared<const Plane>(kept);
     PlaneLives lives;
-    lives.add(drawn(0, {}, {{0, 5}}));
-    lives.add(drawn(1, {}, {{0, 5}, {1, 4}}));
+    lives.add(drawnStep(0, {}, {{0, 5}}));
+    lives.add(drawnStep(1, {}, {{0, 5}, {1, 4}}));
     lives.add(merged);
 
     QCOMPARE(kindsOf(lives.lives().at(0)), (std::vector{Kind::Fitted, Kind::MergedFrom}));

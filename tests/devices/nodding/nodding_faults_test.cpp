@@ -283,7 +283,7 @@ void NoddingFaultsTest::wrongAnglesAreNoticed()
 void NoddingFaultsTest::aFaultOfTheCableHeals_data()
 {
     QTest::addColumn<int>("seed");
-    const int smoke = kIsSanitized ? 10 : 50;
+    const int smoke = kIsSanitized ? 5 : 50;
     const int seeds = qEnvironmentVariableIsSet("PLANEWRIGHT_TEST_LONG") ? 500 : smoke;
     for (int seed = 1; seed <= seeds; ++seed)
         QTest::newRow(qPrintable(QString::number(seed))) << seed;

@@ -16,6 +16,7 @@
 #include "tests/ui/drawn_lives.h"
 #include "tests/ui/made_map.h"
 #include "tests/ui/made_timeline.h"
+#include "ui/panels/compare_panel.h"
 #include "ui/panels/filtered_table.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/layers_panel.h"
@@ -122,6 +123,11 @@ void PanelAccessTest::initTestCase()
     auto* lineage = new LineagePanel;
     const PlaneLives lives = drawnLives();
     lineage->setChart(lineageChart(lives, lives.familyOf(2), 20, true));
+    auto& differences = keep(new CompareModel);
+    differences.setMaps(map->snapshot, map->snapshot);
+    auto* compare = new ComparePanel(differences);
+    compare->setChoices({"paper"}, {"the published method"});
+    compare->setIdle(true);
     panels_ = {{new PlanesPanel(planes, selection), 420},
                {new SegmentsPanel(segments, selection), 700},
                {logPanel, 700},
@@ -132,7 +138,8 @@ void PanelAccessTest::initTestCase()
                {recording, 300},
                {inspector, 320},
                {whyNot, 320},
-               {lineage, 320}};
+               {lineage, 320},
+               {compare, 1020}};
     timeline_.panel->setColumns(madeColumns(137, true), 137, true);
     constexpr int kTimelineInSmallWindow = 750;
     panels_.emplace_back(timeline_.panel, kTimelineInSmallWindow);
