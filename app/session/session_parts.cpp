@@ -193,6 +193,7 @@ void SessionParts::startScan()
     history = ScanHistory{next->work().correctedDescription(), opened.source->plannedSlices().value_or(0)};
     shownStep = {};
     showMap();
+    emit session.historyChanged(0);
     begin(std::move(next));
 }
 

@@ -3,6 +3,8 @@
 
 #include "app/window/compare_control.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/params/presets.h"
@@ -32,10 +34,6 @@ Parameters withPreset(const Parameters& present, std::string_view preset)
     return parameters;
 }
 
-/// Places among the choices: presets come first.
-constexpr int kSimpleAverage = 2;
-constexpr int kExponentialAverage = 4;
-
 struct Average {
     const char* value;
     const char* name;
@@ -45,6 +43,14 @@ constexpr std::array<Average, 3> kAverages{
     {{"sma", "paper, SMA", "clusters by the simple moving average, Eq. (10)"},
      {"lwma", "paper, LWMA", "clusters by the linearly weighted moving average, Eq. (11)"},
      {"ewma", "paper, EWMA", "clusters by the exponentially weighted moving average, Eq. (12)"}}};
+
+/// Where an average stands among the choices: presets come first.
+int choiceOf(std::string_view average)
+{
+    const auto place = std::find_if(kAverages.begin(), kAverages.end(),
+                                    [average](const Average& candidate) { return candidate.value == average; });
+    return static_cast<int>(methodPresets().size()) + static_cast<int>(place - kAverages.begin());
+}
 
 }  // namespace
 
@@ -195,7 +201,6 @@ void CompareControl::takeEnded()
     panel_->setIdle(true);
     if (const auto& problem = branch_->problem()) {
         parts_.problem(tr("compare"), *problem);
-        panel_->setProblem(QString::fromStdString(problem->message));
         return;
     }
     showStep();
@@ -236,7 +241,7 @@ void CompareControl::choosePlanes(PlaneId a, PlaneId b)
 /// What is chosen in the first view has its partners chosen in the second.
 void CompareControl::takeSelection()
 {
-    if (!branch_ || parts_.selection.planes().empty())
+    if (!branch_)
         return;
     SceneSelection selection;
     for (const PlaneId plane : parts_.selection.planes()) {
@@ -250,24 +255,29 @@ void CompareControl::takeSelection()
 /// Fig. 5: a curved wall is scanned and extracted with the simple average, and the exponential one is held against it.
 void CompareControl::showExample()
 {
-    auto* waiting = new QObject(this);
-    connect(&parts_.session, &ScanSession::stateChanged, waiting,
-            [this, waiting, isExtracted = false](SessionState state) mutable {
+    example_ = std::make_unique<QObject>();
+    connect(&parts_.session, &ScanSession::stateChanged, example_.get(),
+            [this, isExtracted = false](SessionState state) mutable {
                 if (state != SessionState::Review)
                     return;
-                const auto act = [this](const Result<void>& done) {
-                    if (!done)
-                        parts_.problem(tr("compare"), done.error());
-                };
-                if (!std::exchange(isExtracted, true)) {
-                    act(parts_.session.setParameters(choices()[kSimpleAverage].parameters));
-                    act(parts_.session.rerun());
+                // Who has opened something else meanwhile wants no example.
+                if (parts_.session.address() != kCurvedRoom) {
+                    example_.release()->deleteLater();
                     return;
                 }
-                waiting->deleteLater();
-                disconnect(&parts_.session, nullptr, waiting, nullptr);
-                panel_->setChoice(kExponentialAverage);
-                run(kExponentialAverage);
+                if (!std::exchange(isExtracted, true)) {
+                    const auto index = static_cast<std::size_t>(choiceOf("sma"));
+                    Result<void> begun = parts_.session.setParameters(choices()[index].parameters);
+                    if (begun)
+                        begun = parts_.session.rerun();
+                    if (begun)
+                        return;
+                    parts_.problem(tr("compare"), begun.error());
+                } else {
+                    panel_->setChoice(choiceOf("ewma"));
+                    run(panel_->choice());
+                }
+                example_.release()->deleteLater();
             });
     scan_.open(QString::fromLatin1(kCurvedRoom), true);
 }

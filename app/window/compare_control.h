@@ -60,6 +60,7 @@ private:
     std::vector<Choice> choices_;
     std::unique_ptr<ScanBranch> branch_;
     QString branchName_;
+    std::unique_ptr<QObject> example_;  ///< waits for the scan of the example
     MapWorker worker_;
     bool isLinked_ = false;     ///< the second view has been made and follows the first
     bool isFollowing_ = false;  ///< one camera is being set from the other

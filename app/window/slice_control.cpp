@@ -3,9 +3,9 @@
 
 #include "app/window/slice_control.h"
 
-#include <array>
-#include <cstdio>
+#include <string>
 
+#include "core/types/plane_words.h"
 #include "ui/common/segment_owners.h"
 #include "ui/panels/slice_panel.h"
 #include "ui/scene/colouring.h"
@@ -17,13 +17,6 @@ namespace {
 
 /// Between two slices that are shown.
 constexpr std::chrono::milliseconds kSlicePause{120};
-
-std::string ownerName(const char* format, int id)
-{
-    std::array<char, 16> text{};
-    std::snprintf(text.data(), text.size(), format, id);
-    return text.data();
-}
 
 }  // namespace
 
@@ -87,8 +80,8 @@ std::shared_ptr<const SliceSketch> SliceControl::sketch() const
         const ClusterId cluster = isKnown ? owners.clusterAt(slice, index) : kNoCluster;
         const double height = isKnown ? map.snapshot->segments.slice(slice)[index].midpoint().z() : 0.0;
         sketch->colours.push_back(colouring.of(plane, cluster, step, height));
-        sketch->owners.push_back(plane >= 0 ? ownerName("P%02d", map.planes[static_cast<std::size_t>(plane)].plane->id)
-                                 : cluster != kNoCluster ? ownerName("C%d", cluster)
+        sketch->owners.push_back(plane >= 0 ? planeLabel(map.planes[static_cast<std::size_t>(plane)].plane->id)
+                                 : cluster != kNoCluster ? "C" + std::to_string(cluster)
                                                          : std::string{});
     }
     return sketch;

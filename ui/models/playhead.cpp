@@ -24,9 +24,7 @@ void Playhead::setHistory(History history, int planned)
     }
     emit historyChanged();
     const int newest = static_cast<int>(history_.size()) - 1;
-    if (!goesOn)
-        look(newest, true);
-    else if (followsNewest_)
+    if (!goesOn || followsNewest_)
         look(newest, true);
 }
 

@@ -45,7 +45,6 @@ public:
 
     /// The nearest place that there is; looking at the newest does not follow it.
     void goTo(int place);
-    void goBy(int places) { goTo(place_ + places); }
     void follow();
 
     /// A phase of the step that is looked at, by its number among those that were due; empty: all of the step.

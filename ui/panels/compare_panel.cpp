@@ -153,11 +153,6 @@ void ComparePanel::setIdle(bool hasBranch)
     run_->setEnabled(true);
 }
 
-void ComparePanel::setProblem(const QString& text)
-{
-    table_->setEmptyText(text);
-}
-
 void ComparePanel::setTotals(const Snapshot* a, const Snapshot* b)
 {
     if (a == nullptr || b == nullptr) {

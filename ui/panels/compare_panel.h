@@ -35,10 +35,10 @@ public:
 
     /// How A and B are called, as "precise".
     void setNames(const QString& a, const QString& b);
-    /// B is worked out; empty texts otherwise.
+    /// B is worked out: so many steps of them all.
     void setProgress(int steps, int all);
+    /// Nothing is worked out; with a branch it can be closed.
     void setIdle(bool hasBranch);
-    void setProblem(const QString& text);
     /// The totals of both maps at the step that is looked at; null for none.
     void setTotals(const Snapshot* a, const Snapshot* b);
 

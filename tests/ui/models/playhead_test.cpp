@@ -71,10 +71,10 @@ void PlayheadTest::whoLooksBackStays()
     playhead.setHistory(grown(history, 3), 0);
     QCOMPARE(playhead.place(), 1);
     QCOMPARE(places.count(), 1);
-    playhead.goBy(100);
+    playhead.goTo(101);
     QCOMPARE(playhead.place(), 7);
     QVERIFY(!playhead.followsNewest());
-    playhead.goBy(-100);
+    playhead.goTo(-93);
     QCOMPARE(playhead.place(), 0);
     playhead.follow();
     QCOMPARE(playhead.place(), 7);
