@@ -35,7 +35,7 @@ constexpr std::string_view kStyle = R"(
   --head: #1e242b; --floor: #d9b657; --ceiling: #b392f0; --wall: #6cb0ff; --other: #6fcf97; --scanner: #ff7b72; } }
 @media print { :root { --text: #000000; --paper: #ffffff; --quiet: #444444; --rule: #bbbbbb; --head: #eeeeee; } }
 body { font: 15px/1.45 system-ui, "DejaVu Sans", sans-serif; color: var(--text); background: var(--paper);
-  max-width: 1120px; margin: 2em auto; padding: 0 1em; }
+  max-width: 1200px; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.6em; margin: 0; } h2 { font-size: 1.2em; margin: 1.8em 0 .5em; }
 .quiet { color: var(--quiet); }
 dl.facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: .6em; margin: 1.2em 0; }
@@ -83,12 +83,18 @@ public:
         std::string_view title;
         bool isWord = false;
     };
+    /// Columns without titles have no heading.
     void table(const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows)
     {
-        text_ += "<div class=\"wide\"><table>\n<thead><tr>";
-        for (const Column& column : columns)
-            text_ += std::string{column.isWord ? "<th class=\"word\">" : "<th>"} + markupText(column.title) + "</th>";
-        text_ += "</tr></thead>\n<tbody>\n";
+        text_ += "<div class=\"wide\"><table>\n";
+        if (!columns.front().title.empty()) {
+            text_ += "<thead><tr>";
+            for (const Column& column : columns)
+                text_ +=
+                    std::string{column.isWord ? "<th class=\"word\">" : "<th>"} + markupText(column.title) + "</th>";
+            text_ += "</tr></thead>\n";
+        }
+        text_ += "<tbody>\n";
         for (const auto& row : rows) {
             text_ += "<tr>";
             for (std::size_t i = 0; i < row.size(); ++i)
