@@ -170,6 +170,18 @@ int TimelineControl::placeOfStep(int step) const
     return place >= 0 && history[static_cast<std::size_t>(place)]->report.step == step ? place : -1;
 }
 
+int TimelineControl::placeOfFault(int step) const
+{
+    if (step == kLastPass)
+        return placeOfStep(step);
+    const Playhead::History& history = parts_.playhead.history();
+    const int place = std::max(parts_.playhead.placeOf(step), 0);
+    // Steps that have not come yet are not lost.
+    const bool isReached = std::any_of(history.begin(), history.end(),
+                                       [step](const auto& snapshot) { return snapshot->report.step >= step; });
+    return isReached || !isGoingOn() ? place : -1;
+}
+
 /// How long it was from the slice of a place to the next. Where nobody knows, and where the scan was held, as long as
 /// a turn of the mirror.
 std::chrono::microseconds TimelineControl::timeAt(int place) const
@@ -269,6 +281,8 @@ void TimelineControl::takeProject()
     faults_.clear();
     bookmarkedSteps_.clear();
     if (PwscanProject* project = parts_.session.project()) {
+        if (const auto events = project->events(parts_.session.scanInProject()))
+            faults_ = troublesIn(*events);
         const auto text = project->setting(parts_.session.scanInProject(), kBookmarksKey);
         if (text && *text)
             bookmarkedSteps_ = bookmarkedStepsOf(**text);
@@ -357,7 +371,7 @@ void TimelineControl::showColumns()
             columns[static_cast<std::size_t>(place)].edits.push_back(line);
     }
     for (const auto& [step, line] : faults_) {
-        const int place = placeOfStep(step);
+        const int place = placeOfFault(step);
         if (place >= 0 && place < static_cast<int>(columns.size()))
             columns[static_cast<std::size_t>(place)].faults.push_back(line);
     }

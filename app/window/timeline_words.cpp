@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 
 #include "core/pipeline/step_replay.h"
 #include "core/types/plane_words.h"
@@ -17,6 +18,20 @@ namespace {
 QString timelineWords(const char* text)
 {
     return QCoreApplication::translate("Timeline", text);
+}
+
+/// What an event tells, in one line: plain text, or JSON with a message. Files of others hold whatever they like.
+QString wordsIn(const std::string& payload)
+{
+    constexpr qsizetype kLongest = 200;
+    QString text = QString::fromStdString(payload);
+    const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
+    if (json.isObject()) {
+        const QString message = json[QStringLiteral("message")].toString();
+        text = message.isEmpty() && json.object().isEmpty() ? QString() : message.isEmpty() ? text : message;
+    }
+    text = text.simplified();
+    return text.size() > kLongest ? text.left(kLongest - 1) + QStringLiteral("…") : text;
 }
 
 }  // namespace
@@ -66,6 +81,20 @@ QStringList troublesOf(const ExtractedStep& step, const ExtractedStep* before)
         troubles.push_back(timelineWords("its time may be wrong"));
     if (step.measured->retaken)
         troubles.push_back(timelineWords("taken again after a fault"));
+    return troubles;
+}
+
+std::vector<std::pair<int, QString>> troublesIn(std::span<const ScanEvent> events)
+{
+    std::vector<std::pair<int, QString>> troubles;
+    for (const ScanEvent& event : events) {
+        const bool isFault = event.kind == ScanEvent::Kind::Fault;
+        if (!event.step || (!isFault && event.kind != ScanEvent::Kind::Recovered))
+            continue;
+        const QString told = wordsIn(event.payload);
+        const QString line = isFault ? timelineWords("a fault") : timelineWords("went on after a fault");
+        troubles.emplace_back(*event.step, told.isEmpty() ? line : isFault ? told : line + QStringLiteral(": ") + told);
+    }
     return troubles;
 }
 

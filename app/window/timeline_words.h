@@ -4,12 +4,16 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <QString>
 #include <QStringList>
 
 #include "app/session/loops/snapshot_bridge.h"
+#include "core/formats/pwscan_notes.h"
 #include "core/types/edit.h"
 
 namespace planewright {
@@ -20,6 +24,10 @@ QString timelineLineOf(const Edit& edit);
 /// What a slice says against itself, and what was lost between the step before, null for the first, and it. Steps count
 /// from 1 there.
 QStringList troublesOf(const ExtractedStep& step, const ExtractedStep* before);
+
+/// What a recording tells of faults, and of going on after them, each with its step from 0, in a line of at most 200
+/// letters. Events that name no step have no place in time and are left out.
+std::vector<std::pair<int, QString>> troublesIn(std::span<const ScanEvent> events);
 
 /// Bookmarks as a `.pwscan` keeps them, JSON: the numbers of steps from 0, −1 for the forced last pass. A text that is
 /// no such list gives none.
