@@ -144,9 +144,17 @@ void View3d::setOverlay(const OverlayContent& content)
 {
     const QString tip = overlay_.tip;
     const QPoint place = overlay_.tipPlace;
+    const QSize corner = overlay_.corner;
     overlay_ = content;
     overlay_.tip = tip;
     overlay_.tipPlace = place;
+    overlay_.corner = corner;
+    glass_->update();
+}
+
+void View3d::keepCornerFree(QSize corner)
+{
+    overlay_.corner = corner;
     glass_->update();
 }
 
@@ -393,6 +401,7 @@ QImage View3d::picture(QSize size, double pixelRatio)
     painter.setFont(font());
     OverlayContent content = overlay_;
     content.tip.clear();
+    content.corner = {};
     paintOverlay(painter, (QSizeF(size) / pixelRatio).toSize(), scene_, content);
     return image;
 }
