@@ -189,6 +189,21 @@ Result<void> ScanSession::rerun()
     return {};
 }
 
+Result<void> ScanSession::undoRerun()
+{
+    return parts_->exchange(parts_->former, parts_->latter);
+}
+
+Result<void> ScanSession::redoRerun()
+{
+    return parts_->exchange(parts_->latter, parts_->former);
+}
+
+std::size_t ScanSession::rerunsToUndo() const
+{
+    return parts_->former.size();
+}
+
 Result<void> ScanSession::setSpeed(double speed)
 {
     if (Result<void> allowed = parts_->request(SessionRequest::SetSpeed); !allowed)

@@ -73,6 +73,13 @@ public:
     /// Extracts the whole scan once more with parameters(); the result takes the place of the present one when it is
     /// complete, and cancel() keeps that. Of a `.pwscan` the parameters are then stored in it.
     Result<void> rerun();
+    /// Takes the last rerun() back: the extraction before it is shown again, with its parameters, and of a `.pwscan` it
+    /// is what the file gives from now on. redoRerun() makes it again, until the next rerun(). Both cost nothing: all
+    /// of it was kept. Refused where rerun() is; without any nothing happens.
+    Result<void> undoRerun();
+    Result<void> redoRerun();
+    /// The last few, as long as the scan is open.
+    std::size_t rerunsToUndo() const;
     /// 1 is real time, 0 as fast as possible; also for the next start().
     Result<void> setSpeed(double speed);
     /// Shows the scan as it was after a step (or after the last one before it), while it may go on; goToNewest()
@@ -141,6 +148,8 @@ signals:
     void historyChanged(int steps);
     void statusChanged(const planewright::SessionStatus& status);
     void parametersChanged();
+    /// A rerun() is complete, and is what is shown.
+    void rerunMade();
     /// project(), scanInProject() and storedEdits() are others; the project before is gone.
     void projectChanged();
     /// The scan that is open has a project() now: the file that it is recorded into, without edits yet.

@@ -40,6 +40,26 @@ std::vector<ParametersFrom> defaultParameters(const std::string& scanner, std::v
     return {{0, parameters}};
 }
 
+/// So many extractions are kept beside the present one.
+constexpr std::size_t kMostFormer = 8;
+
+/// What a scan was extracted with.
+std::vector<ParametersFrom> parametersOf(const ScanHistory& history)
+{
+    std::vector<ParametersFrom> all;
+    const Parameters* before = nullptr;
+    int next = 0;
+    for (const ExtractedStep& step : history.steps()) {
+        const int number = step.measured ? step.measured->step : next;
+        next = number + 1;
+        if (step.parameters == nullptr || step.parameters.get() == before)
+            continue;
+        before = step.parameters.get();
+        all.push_back({all.empty() ? 0 : number, *step.parameters});
+    }
+    return all;
+}
+
 }  // namespace
 
 SessionParts::SessionParts(ScanSession& owner, SessionOptions chosen)
@@ -191,6 +211,8 @@ void SessionParts::startScan()
     });
     measuredDescription = pipeline->measuredDescription();
     history = ScanHistory{next->work().correctedDescription(), opened.source->plannedSlices().value_or(0)};
+    former.clear();
+    latter.clear();
     shownStep = {};
     showMap();
     emit session.historyChanged(0);
@@ -210,6 +232,24 @@ void SessionParts::startRerun()
     });
     rerunHistory_.emplace(next->work().correctedDescription(), history.plannedSteps());
     begin(std::move(next));
+}
+
+Result<void> SessionParts::exchange(std::vector<ScanHistory>& from, std::vector<ScanHistory>& to)
+{
+    if (const std::string_view refusal = machine.refusal(SessionRequest::Rerun); !refusal.empty())
+        return fail(ErrorCode::Usage, std::string{refusal});
+    if (from.empty())
+        return {};
+    to.push_back(std::move(history));
+    history = std::move(from.back());
+    from.pop_back();
+    if (std::vector<ParametersFrom> its = parametersOf(history); !its.empty())
+        parameters = std::move(its);
+    storeParameters();
+    emit session.parametersChanged();
+    emit session.historyChanged(static_cast<int>(history.steps().size()));
+    showMap();
+    return {};
 }
 
 void SessionParts::cancelRerun()
@@ -309,10 +349,14 @@ void SessionParts::onEnded()
     pipeline = nullptr;
     if (rerunHistory_) {
         if (!rerunCancelled_) {
-            history = std::move(*rerunHistory_);
+            former.push_back(std::exchange(history, std::move(*rerunHistory_)));
+            if (former.size() > kMostFormer)
+                former.erase(former.begin());
+            latter.clear();
             parameters = {{0, parameters.back().parameters}};
             storeParameters();
             emit session.historyChanged(static_cast<int>(history.steps().size()));
+            emit session.rerunMade();
         }
         rerunHistory_.reset();
     }
@@ -326,9 +370,10 @@ void SessionParts::storeParameters()
 {
     if (!opened.project)
         return;
-    const Result<void> stored = opened.project->appendParameters(opened.scan, parameters.back().parameters);
-    if (!stored)
-        tellFault(stored.error());
+    for (const ParametersFrom& from : parameters) {
+        if (const auto stored = opened.project->appendParameters(opened.scan, from.parameters, from.step); !stored)
+            return tellFault(stored.error());
+    }
 }
 
 /// From now on edits go into the file that the scan is recorded into.
@@ -359,6 +404,8 @@ void SessionParts::forget()
     address.clear();
     recordedPath_.clear();
     history = {};
+    former.clear();
+    latter.clear();
     shownStep = {};
     showMap();
     emit session.historyChanged(0);

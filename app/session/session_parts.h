@@ -30,6 +30,8 @@ struct SessionParts {
     void startScan();
     void startRerun();
     void cancelRerun();
+    /// Shows the last of some extractions, and keeps the present one with others.
+    Result<void> exchange(std::vector<ScanHistory>& from, std::vector<ScanHistory>& to);
     void forget();
 
     // What the outside is told.
@@ -50,6 +52,8 @@ struct SessionParts {
     std::vector<ParametersFrom> parameters;  ///< of the next scan or replay; the last are those in force
     ScanDescription measuredDescription;     ///< of the slices as they were measured
     ScanHistory history;
+    std::vector<ScanHistory> former;  ///< what reruns took the place of, the last one last
+    std::vector<ScanHistory> latter;  ///< reruns that were taken back, the next to be made again last
     /// What somebody has gone back to: a step, or a place in the history.
     std::variant<std::monostate, int, std::size_t> shownStep;
     std::shared_ptr<const SessionMap> map;

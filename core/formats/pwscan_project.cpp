@@ -108,11 +108,11 @@ Result<void> PwscanProject::checkWritable(int scan) const
     return {};
 }
 
-Result<void> PwscanProject::appendParameters(int scan, const Parameters& parameters)
+Result<void> PwscanProject::appendParameters(int scan, const Parameters& parameters, int fromStep)
 {
     if (auto writable = checkWritable(scan); !writable)
         return writable;
-    return insertEvent(state_->database, scan, parametersEvent(0, parameters));
+    return insertEvent(state_->database, scan, parametersEvent(fromStep, parameters));
 }
 
 Result<int> PwscanProject::append(int scan, const Edit& edit)

@@ -49,8 +49,8 @@ public:
     /// What happened during a scan, in its order; what cannot be read is left out.
     Result<std::vector<ScanEvent>> events(int scan) const;
 
-    /// Adds that a scan is extracted with these parameters, all of it, whatever was in force before.
-    Result<void> appendParameters(int scan, const Parameters& parameters);
+    /// Adds that a scan is extracted with these parameters, from a step on, whatever was in force there before.
+    Result<void> appendParameters(int scan, const Parameters& parameters, int fromStep = 0);
 
     /// What is kept of a scan, or without one of the file: view, selection, layers. Texts of at most 1 MiB, keys of at
     /// most 200 bytes.

@@ -34,6 +34,8 @@ private slots:
     void aRerunTakesThePresentParameters();
     void aRerunOfAFileIsWhatTheFileGivesFromThenOn();
     void aCancelledRerunKeepsWhatWasThere();
+    void aRerunIsTakenBackAndMadeAgain();
+    void aRerunThatIsTakenBackLeavesTheParametersOfEachStep();
     void everyStepCanBeGoneBackTo();
     void aRecorderThatFailsForAWhileLosesNothing();
     void theStatusTellsHowTheScanGoesOn();
@@ -360,6 +362,86 @@ void ScanSessionTest::theStatusTellsHowTheScanGoesOn()
     QCOMPARE(status.plannedSteps, 40);
     QCOMPARE(status.lost, 0);
     QCOMPARE(status.queueDepth, std::size_t(0));
+}
+
+void ScanSessionTest::aRerunIsTakenBackAndMadeAgain()
+{
+    const QTemporaryDir folder;
+    SessionOptions options = smallOptions();
+    options.recordFolder = folder.path().toStdString();
+    ScanSession session{options};
+    OPEN_ROOM(session, "&speed=0");
+    QVERIFY(session.start());
+    WAIT_FOR(session, Review);
+    QSignalSpy made(&session, &ScanSession::rerunMade);
+    const auto before = session.map()->snapshot;
+    const int enough = session.parameters().likelihood.enoughPoints;
+    Parameters changed = session.parameters();
+    changed.likelihood.enoughPoints = enough + 200;
+    QVERIFY(session.setParameters(changed));
+    QVERIFY(session.rerun());
+    QVERIFY(isRefusal(session.undoRerun()));
+    WAIT_FOR(session, Review);
+    const auto after = session.map()->snapshot;
+    QVERIFY(after != before);
+    QCOMPARE(made.count(), 1);
+    QCOMPARE(session.rerunsToUndo(), std::size_t(1));
+
+    QVERIFY(session.undoRerun());
+    QCOMPARE(session.map()->snapshot, before);
+    QCOMPARE(session.parameters().likelihood.enoughPoints, enough);
+    QCOMPARE(session.rerunsToUndo(), std::size_t(0));
+    QVERIFY(session.undoRerun());  // there is none
+    QCOMPARE(session.map()->snapshot, before);
+
+    QVERIFY(session.redoRerun());
+    QCOMPARE(session.map()->snapshot, after);
+    QCOMPARE(session.parameters().likelihood.enoughPoints, enough + 200);
+
+    // The file gives what is shown.
+    QVERIFY(session.undoRerun());
+    const std::string planes = planesText(*before);
+    const std::string path = session.status().recording;
+    session.close();
+    QCOMPARE(session.rerunsToUndo(), std::size_t(0));
+    QVERIFY(session.open(path));
+    WAIT_FOR(session, Review);
+    QCOMPARE(planesText(*session.map()->snapshot), planes);
+}
+
+void ScanSessionTest::aRerunThatIsTakenBackLeavesTheParametersOfEachStep()
+{
+    const QTemporaryDir folder;
+    SessionOptions options = smallOptions();
+    options.recordFolder = folder.path().toStdString();
+    ScanSession session{options};
+    OPEN_ROOM(session, "&speed=0");
+    QVERIFY(session.start());
+    WAIT_FOR(session, Review);
+    Parameters changed = session.parameters();
+    const std::string path = session.status().recording;
+    session.close();
+    // It is said that it was extracted with others from step 17 on.
+    const Parameters first = changed;
+    changed.likelihood.enoughPoints += 200;
+    {
+        auto project = PwscanProject::open(path);
+        QVERIFY(project);
+        QVERIFY(project->appendParameters(1, changed, 17));
+    }
+    QVERIFY(session.open(path));
+    WAIT_FOR(session, Review);
+    const std::string planes = planesText(*session.map()->snapshot);
+    QCOMPARE(planes, batchPlanes(smallCorridor(), {{0, first}, {17, changed}}));
+    QVERIFY(session.rerun());
+    WAIT_FOR(session, Review);
+
+    QVERIFY(session.undoRerun());
+    session.close();
+    QVERIFY(session.open(path));
+    WAIT_FOR(session, Review);
+
+    QCOMPARE(planesText(*session.map()->snapshot), planes);
 }
 
 }  // namespace planewright
