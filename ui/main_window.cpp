@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -145,6 +146,27 @@ void MainWindow::showBottomPanel(const QString& name)
 void MainWindow::showWelcome(bool shown)
 {
     pages_->setCurrentWidget(shown ? static_cast<QWidget*>(welcome_) : views_);
+    if (shown)
+        foldEmpty();
+    else
+        unfold();
+}
+
+void MainWindow::foldEmpty()
+{
+    for (const char* name : {"dockInspector", "dockBottom"}) {
+        QDockWidget* dock = docks_[QLatin1String(name)];
+        if (dock->isHidden() || dock->isFloating())
+            continue;
+        dock->hide();
+        folded_ += QLatin1String(name);
+    }
+}
+
+void MainWindow::unfold()
+{
+    for (const QString& name : std::exchange(folded_, {}))
+        docks_[name]->show();
 }
 
 View3d& MainWindow::secondView()
@@ -198,6 +220,7 @@ void MainWindow::compare()
 
 void MainWindow::arrange(const QStringList& shown)
 {
+    folded_.clear();
     for (auto dock = docks_.cbegin(); dock != docks_.cend(); ++dock) {
         dock.value()->setFloating(false);
         dock.value()->setVisible(shown.contains(dock.key()));
@@ -224,6 +247,11 @@ void MainWindow::present(bool on)
     findChild<QToolBar*>(QStringLiteral("toolBar"))->setVisible(!on);
 }
 
+bool MainWindow::presents() const
+{
+    return findChild<QToolBar*>(QStringLiteral("toolBar"))->isHidden();
+}
+
 void MainWindow::resetLayout()
 {
     present(false);
@@ -238,16 +266,19 @@ void MainWindow::restoreLayout(QSettings& settings)
     if (geometry.isEmpty() || !restoreGeometry(geometry) || !restoreState(state, kLayoutVersion)) {
         resize(kDefaultSize);
         restoreState(plainLayout_, kLayoutVersion);
-        return;
     }
     for (QDockWidget* dock : docks_) {
         if (dock->isFloating() && QGuiApplication::screenAt(dock->frameGeometry().center()) == nullptr)
             dock->setFloating(false);
     }
+    folded_.clear();
+    if (showsWelcome())
+        foldEmpty();
 }
 
-void MainWindow::saveLayout(QSettings& settings) const
+void MainWindow::saveLayout(QSettings& settings)
 {
+    unfold();
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
 }

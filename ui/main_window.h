@@ -44,6 +44,7 @@ public:
     void showBottomPanel(const QString& name);
     void showInspector();
 
+    /// What is empty without a scan is folded away meanwhile.
     void showWelcome(bool shown);
     bool showsWelcome() const;
 
@@ -58,10 +59,12 @@ public:
     void inspect();
     void compare();
     void present(bool on);
+    /// The view stands alone.
+    bool presents() const;
     void resetLayout();
     /// Docks and sizes of the last time; a layout of another version, or one off the screen, is left alone.
     void restoreLayout(QSettings& settings);
-    void saveLayout(QSettings& settings) const;
+    void saveLayout(QSettings& settings);
 
     /// Asked before the window closes; it always may, but something may have to stop first.
     std::function<void()> beforeClose;
@@ -77,6 +80,8 @@ protected:
 private:
     QDockWidget* addDock(const QString& name, const QString& title, Qt::DockWidgetArea area);
     void arrange(const QStringList& shown);
+    void foldEmpty();
+    void unfold();
     void makeToolBar();
     void makeStatusBar();
     void makeViewButtons();
@@ -94,6 +99,7 @@ private:
     QHash<QString, QLabel*> status_;
     QLabel* source_;
     QByteArray plainLayout_;
+    QStringList folded_;  ///< docks that come back with a scan
 };
 
 }  // namespace planewright

@@ -3,9 +3,16 @@
 
 #pragma once
 
+#include <vector>
+
 #include <QListWidget>
 #include <QPushButton>
 #include <QWidget>
+
+class QBoxLayout;
+class QGridLayout;
+class QLabel;
+class QVBoxLayout;
 
 namespace planewright {
 
@@ -28,7 +35,19 @@ signals:
     /// A file, or an address of a simulated room.
     void openRequested(const QString& fileOrAddress);
 
+protected:
+    /// What is shown is as wide as the view of it.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void addCards(QVBoxLayout* page);
+    void addRooms(QVBoxLayout* page);
+    void arrange(int width);
+
+    QBoxLayout* cards_;
+    QGridLayout* rooms_;
+    std::vector<QLabel*> lines_;  ///< texts that are wrapped
+    QLabel* small_;
     QListWidget* recent_;
 };
 

@@ -43,8 +43,9 @@ constexpr std::array kRows{
     Row{"&File", "", "", "", "", kSeparator},
     Row{"&File", "actQuit", "&Quit", "Ctrl+Q", "Stop and leave; nothing is unsaved"},
 
-    Row{"&Edit", "actUndo", "&Undo", "Ctrl+Z", "Take back the last edit"},
-    Row{"&Edit", "actRedo", "&Redo", "Ctrl+Shift+Z", "Make the edit again"},
+    Row{"&Edit", "actUndo", "&Undo", "Ctrl+Z", "Take back the last edit or re-run"},
+    Row{"&Edit", "actRedo", "&Redo", "Ctrl+Shift+Z", "Make it again"},
+    Row{"&Edit", "actHistory", "&History…", "", "What was done to the scan, and what of it is undone"},
     Row{"&Edit", "", "", "", "", kSeparator},
     Row{"&Edit", "actCopy", "&Copy", "Ctrl+C", "Copy the selected rows as text with tabs"},
     Row{"&Edit", "actSelectAll", "Select &all planes", "Ctrl+A", "Select every plane that is shown"},
@@ -82,6 +83,7 @@ constexpr std::array kRows{
     Row{"&View", "theme", "T&heme", "", "", kSubmenu},
     Row{"&View", "actFullScreen", "Full scree&n", "F11", "Use the whole screen", kCheckable},
 
+    Row{"&Scan", "actConnect", "&Connect", "Ctrl+K", "Connect the laser and the tilt unit that are chosen"},
     Row{"&Scan", "actStart", "&Start", "F5", "Start scanning"},
     Row{"&Scan", "actPause", "&Pause or continue", "F6", "Hold the scan, or go on"},
     Row{"&Scan", "actStep", "S&ingle step", "",
@@ -91,6 +93,11 @@ constexpr std::array kRows{
     Row{"&Scan", "actHome", "&Home actuator", "", "Bring the head to level, slowly, and hold it there"},
     Row{"&Scan", "", "", "", "", kSeparator},
     Row{"&Scan", "actRecord", "&Record scans", "", "Write every scan to the recording folder", kCheckable},
+    Row{"&Scan", "actTestDevices", "Device &test…", "", "Open laser and tilt unit, take a slice, move by 5° and back"},
+    Row{"&Scan", "actFindDevices", "Fin&d devices", "", "Look for what is connected, and ask lasers for their number"},
+    Row{"&Scan", "actRecover", "Re&lease", "",
+        "Let the head move again, after Stop motion or after it has turned itself off"},
+    Row{"&Scan", "", "", "", "", kSeparator},
     Row{"&Scan", "actRerun", "Re-r&un extraction", "Ctrl+R", "Extract the whole scan with the present parameters"},
 
     Row{"&Timeline", "actPlay", "&Play", "Space", "Play the steps of the scan again, or pause", kCheckable},

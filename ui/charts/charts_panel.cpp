@@ -189,7 +189,7 @@ void ChartsPanel::arrange()
     const int seenRows = std::min(rows, std::max(1, height / kLeastHeight));
     const int each = (height - grid_->spacing() * (seenRows - 1)) / seenRows;
     for (ChartView* view : views_)
-        view->setMinimumHeight(alone >= 0 ? 0 : each);
+        view->setMinimumHeight(each);
     if (columns == columns_ && alone == laidOut_)
         return;
     columns_ = columns;

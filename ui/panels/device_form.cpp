@@ -61,9 +61,10 @@ DeviceForm::DeviceForm(QWidget* parent)
       trouble_(new ProblemLabel(this)),
       copyCure_(new QPushButton(tr("&Copy the command"), this)),
       mode_(new QuietComboBox(this)),
-      search_(new QPushButton(tr("&Find devices"), this)),
-      test_(new QPushButton(tr("&Test"), this)),
-      home_(new QPushButton(tr("Move to &level"), this)),
+      buttons_(new QWidget(this)),
+      search_(new QPushButton(tr("&Find devices"), buttons_)),
+      test_(new QPushButton(tr("&Test"), buttons_)),
+      home_(new QPushButton(tr("Move to &level"), buttons_)),
       recovery_(new QWidget(this)),
       recover_(new QPushButton(tr("&Release the tilt unit"), recovery_)),
       details_(new DeviceDetails(this)),
@@ -113,17 +114,18 @@ DeviceForm::DeviceForm(QWidget* parent)
 
 void DeviceForm::addButtons(QVBoxLayout* layout)
 {
+    auto* lines = new QVBoxLayout(buttons_);
+    lines->setContentsMargins({});
     auto* buttons = new QHBoxLayout;
     search_->setObjectName(QStringLiteral("findDevices"));
     search_->setToolTip(tr("Looks for what is connected, and asks lasers for their number"));
     test_->setObjectName(QStringLiteral("testDevices"));
-    test_->setToolTip(tr("Opens both, takes a slice, and moves the head by 5° and back"));
     home_->setObjectName(QStringLiteral("homeDevices"));
-    home_->setToolTip(tr("Brings the head to level, slowly, and holds it there; Stop motion holds it at once"));
     buttons->addWidget(search_);
     buttons->addWidget(test_);
-    layout->addLayout(buttons);
-    layout->addWidget(home_);
+    lines->addLayout(buttons);
+    lines->addWidget(home_);
+    layout->addWidget(buttons_);
     connect(search_, &QPushButton::clicked, this, &DeviceForm::searchRequested);
     connect(test_, &QPushButton::clicked, this, &DeviceForm::testRequested);
     connect(home_, &QPushButton::clicked, this, &DeviceForm::homeRequested);
@@ -158,8 +160,13 @@ void DeviceForm::addRecovery(QVBoxLayout* layout)
 void DeviceForm::check()
 {
     const bool hasUnit = !unit_->currentText().trimmed().isEmpty();
-    test_->setEnabled(problem().isEmpty() && isTestable_);
+    const QString wrong = problem();
+    test_->setEnabled(wrong.isEmpty() && isTestable_);
+    test_->setToolTip(wrong.isEmpty() ? tr("Opens both, takes a slice, and moves the head by 5° and back") : wrong);
     home_->setEnabled(canGoHome());
+    home_->setToolTip(canGoHome() || details_->problem().isEmpty()
+                          ? tr("Brings the head to level, slowly, and holds it there; Stop motion holds it at once")
+                          : details_->problem());
     recover_->setEnabled(hasUnit && isTestable_);
     search_->setEnabled(isTestable_);
     const DeviceChoice* choice = troubled(laser_) != nullptr ? troubled(laser_) : troubled(unit_);
@@ -307,12 +314,20 @@ void DeviceForm::setConnectedHead(bool isThere)
 
 bool DeviceForm::canGoHome() const
 {
-    return hasConnectedHead_ || (isTestable_ && !unit_->currentText().trimmed().isEmpty());
+    return hasConnectedHead_ ||
+           (isTestable_ && !unit_->currentText().trimmed().isEmpty() && details_->problem().isEmpty());
+}
+
+bool DeviceForm::canRecover() const
+{
+    return isRecoverable_ && isTestable_ && !unit_->currentText().trimmed().isEmpty();
 }
 
 void DeviceForm::setRecoverable(bool recoverable)
 {
+    isRecoverable_ = recoverable;
     recovery_->setVisible(recoverable);
+    emit changed();
 }
 
 void DeviceForm::setSearchProblem(const QString& problem)

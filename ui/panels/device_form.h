@@ -46,8 +46,17 @@ public:
     /// What keeps all of a kind from being found; empty: nothing.
     void setSearchProblem(const QString& problem);
 
-    /// Whether there is a head that can be brought to level now.
+    /// Whether there is a head that can be brought to level now: one that is connected, or one with limits that make
+    /// sense.
     bool canGoHome() const;
+    /// Whether devices can be looked for and tested now.
+    bool isTestable() const { return isTestable_; }
+    /// Whether there is a unit that waits to be released.
+    bool canRecover() const;
+
+    /// Find, Test and Move to level, for a place where they stay in sight. Below the fields until somebody takes them.
+    QWidget* buttons() const { return buttons_; }
+    const DeviceDetails& details() const { return *details_; }
 
     /// What is missing or wrong in what was chosen; empty where nothing is.
     QString problem() const;
@@ -85,6 +94,7 @@ private:
     QDoubleSpinBox* tiltStep_;
     QDoubleSpinBox* firstBearing_;
     QDoubleSpinBox* lastBearing_;
+    QWidget* buttons_;
     QPushButton* search_;
     QPushButton* test_;
     QPushButton* home_;
@@ -93,6 +103,7 @@ private:
     DeviceDetails* details_;
     bool isTestable_ = true;
     bool hasConnectedHead_ = false;
+    bool isRecoverable_ = false;
     QLabel* checks_;
     QLabel* facts_;
 };

@@ -66,6 +66,8 @@ RecordingForm::RecordingForm(QWidget* parent)
     connect(file_, &QLineEdit::textChanged, this, &RecordingForm::changed);
     connect(browse, &QPushButton::clicked, this, &RecordingForm::browse);
     connect(play_, &QCheckBox::toggled, speed_, &QWidget::setEnabled);
+    connect(play_, &QCheckBox::toggled, this, &RecordingForm::changed);
+    connect(speed_, &QComboBox::currentIndexChanged, this, &RecordingForm::changed);
     connect(recent_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
         if (item != nullptr)
             setFile(item->data(Qt::UserRole).toString());
@@ -80,6 +82,13 @@ QString RecordingForm::file() const
 void RecordingForm::setFile(const QString& file)
 {
     file_->setText(file);
+}
+
+void RecordingForm::setPlayed(std::optional<double> speed)
+{
+    play_->setChecked(speed.has_value());
+    if (speed)
+        chooseSpeed(speed_, *speed);
 }
 
 void RecordingForm::setRecentFiles(const QStringList& files)

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <optional>
+
 #include <QStringList>
 #include <QWidget>
 
@@ -22,6 +24,8 @@ public:
 
     QString file() const;
     void setFile(const QString& file);
+    /// The file is to be played, 1 in real time; nothing: only looked at.
+    void setPlayed(std::optional<double> speed);
     void setRecentFiles(const QStringList& files);
 
     /// What is wrong with the file, or nothing.

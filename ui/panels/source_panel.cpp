@@ -13,6 +13,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "ui/panels/device_details.h"
 #include "ui/panels/device_form.h"
 #include "ui/panels/plain_fields.h"
 #include "ui/panels/problem_label.h"
@@ -30,7 +31,8 @@ SourcePanel::SourcePanel(QWidget* parent)
       devices_(new DeviceForm(this)),
       size_(new QLabel(this)),
       problem_(new ProblemLabel(this)),
-      open_(new QPushButton(this))
+      open_(new QPushButton(this)),
+      unused_(new QLabel(this))
 {
     setObjectName(QStringLiteral("sourcePanel"));
     auto* content = new QWidget(this);
@@ -51,14 +53,13 @@ SourcePanel::SourcePanel(QWidget* parent)
     size_->setAccessibleName(tr("Size of the scan"));
     size_->setWordWrap(true);
     layout->addWidget(size_);
-    layout->addWidget(problem_);
-    open_->setObjectName(QStringLiteral("openSource"));
-    layout->addWidget(open_);
     layout->addStretch();
 
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins({});
-    outer->addWidget(scrolling(content, this));
+    outer->setSpacing(0);
+    outer->addWidget(scrolling(content, this), 1);
+    outer->addWidget(makeFoot());
     connect(type_, &QComboBox::currentIndexChanged, this, [this](int type) {
         forms_->setCurrentIndex(type);
         check();
@@ -72,15 +73,55 @@ SourcePanel::SourcePanel(QWidget* parent)
     check();
 }
 
+QWidget* SourcePanel::makeFoot()
+{
+    auto* foot = new QWidget(this);
+    auto* layout = new QVBoxLayout(foot);
+    layout->setContentsMargins(8, 6, 8, 8);
+    layout->setSpacing(6);
+    layout->addWidget(problem_);
+    unused_->setObjectName(QStringLiteral("notInUse"));
+    unused_->setAccessibleName(tr("Not in use yet"));
+    unused_->setWordWrap(true);
+    unused_->hide();
+    layout->addWidget(unused_);
+    layout->addWidget(devices_->buttons());
+    open_->setObjectName(QStringLiteral("openSource"));
+    layout->addWidget(open_);
+    return foot;
+}
+
+void SourcePanel::setOpened(const QString& name)
+{
+    openedName_ = name;
+    opened_ = said();
+    check();
+}
+
+/// Only of the form in sight: the others wait for their turn.
+SourcePanel::Said SourcePanel::said() const
+{
+    Said said;
+    said.form = forms_->currentIndex();
+    if (forms_->currentWidget() == simulator_)
+        said.simulation = simulator_->setup();
+    else if (forms_->currentWidget() == recording_)
+        said.recording = recording_->address();
+    else
+        said.devices = devices_->setup();
+    return said;
+}
+
 void SourcePanel::showSimulation(const SimulationSetup& setup)
 {
     simulator_->setSetup(setup);
     type_->setCurrentIndex(forms_->indexOf(simulator_));
 }
 
-void SourcePanel::showRecording(const QString& file)
+void SourcePanel::showRecording(const QString& file, std::optional<double> speed)
 {
     recording_->setFile(file);
+    recording_->setPlayed(speed);
     type_->setCurrentIndex(forms_->indexOf(recording_));
 }
 
@@ -128,7 +169,13 @@ void SourcePanel::check()
     }
     size_->setText(size ? QString::fromStdString(*size) : QString{});
     size_->setVisible(!size_->text().isEmpty());
-    problem_->tell(isUnfilled ? QString{} : problem);
+    problem_->tell(!isUnfilled ? problem : form == devices_ ? devices_->details().problem() : QString{});
+    devices_->buttons()->setVisible(form == devices_);
+    const bool isUnused = !openedName_.isEmpty() && said() != opened_;
+    unused_->setText(
+        isUnused ? tr("<b>Not in use yet.</b> What is open, and scanned, is %1.").arg(openedName_.toHtmlEscaped())
+                 : QString{});
+    unused_->setVisible(isUnused);
     open_->setEnabled(problem.isEmpty());
     open_->setText(form == simulator_   ? tr("Use this simulator")
                    : form == recording_ ? tr("Open recording")

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <QStringList>
@@ -25,7 +26,8 @@ class ProblemLabel;
 class RecordingForm;
 class SimulatorForm;
 
-/// Where the slices come from: a simulated room, a recording or devices, with what there is to set of each.
+/// Where the slices come from: a simulated room, a recording or devices, with what there is to set of each. The fields
+/// scroll; what is wrong and the buttons stay in sight below them.
 class SourcePanel : public QWidget {
     Q_OBJECT
 
@@ -34,7 +36,8 @@ public:
 
     /// Shows what is opened by other ways.
     void showSimulation(const SimulationSetup& setup);
-    void showRecording(const QString& file);
+    /// Played with a speed, where 1 is real time.
+    void showRecording(const QString& file, std::optional<double> speed = {});
     void showDevices(const DeviceSetup& setup);
     /// Shows the form of laser and tilt unit as it is.
     void showDevices();
@@ -46,6 +49,10 @@ public:
     /// are sentences about what to give instead.
     using DeviceEstimate = std::function<Result<std::string>(const DeviceSetup& setup)>;
     void setDeviceEstimate(DeviceEstimate estimate);
+
+    /// What the form in sight says now is what is open, under this name; empty: nothing is. From then on the panel
+    /// tells where it says something else.
+    void setOpened(const QString& name);
 
     /// Recordings opened lately, newest first.
     void setRecentFiles(const QStringList& files);
@@ -61,8 +68,20 @@ signals:
     void devicesShown();
 
 private:
+    /// What a form says.
+    struct Said {
+        int form = 0;
+        SimulationSetup simulation;
+        QString recording;
+        DeviceSetup devices;
+
+        friend bool operator==(const Said&, const Said&) = default;
+    };
+
+    Said said() const;
     void check();
     void open();
+    QWidget* makeFoot();
     Result<std::string> sizeOf(const DeviceSetup& setup) const;
 
     QComboBox* type_;
@@ -73,6 +92,9 @@ private:
     QLabel* size_;
     ProblemLabel* problem_;
     QPushButton* open_;
+    QLabel* unused_;
+    QString openedName_;
+    Said opened_;
     DeviceEstimate deviceEstimate_;
 };
 

@@ -116,8 +116,8 @@ void TimelineStrip::drawEmpty(QPainter& painter) const
 {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(kMargin, 0, -kMargin, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Every step of a scan appears here, to be looked at again. Press F5 to scan, or open a "
-                        "recording."));
+                     tr("Every step of a scan appears here, to be looked at again.") +
+                         (hint_.isEmpty() ? QString() : QLatin1Char(' ') + hint_));
 }
 
 void TimelineStrip::drawLanes(QPainter& painter) const

@@ -61,6 +61,13 @@ void TimelineStrip::setBookmarks(std::set<int> bookmarks)
     forgetPicture();
 }
 
+void TimelineStrip::setHint(const QString& hint)
+{
+    hint_ = hint;
+    forgetPicture();
+    update();
+}
+
 void TimelineStrip::setLooksBack(bool looksBack)
 {
     looksBack_ = looksBack;

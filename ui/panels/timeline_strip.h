@@ -45,6 +45,9 @@ public:
     void setPlace(int place);
     void setLoop(std::optional<std::pair<int, int>> loop);
     void setBookmarks(std::set<int> bookmarks);
+    /// What to do next where there are no columns yet.
+    void setHint(const QString& hint);
+    const QString& hint() const { return hint_; }
     /// Somebody looks back while the scan goes on.
     void setLooksBack(bool looksBack);
 
@@ -102,6 +105,7 @@ private:
     void drawEmpty(QPainter& painter) const;
 
     std::vector<TimelineColumn> columns_;
+    QString hint_;
     int expected_ = 0;
     int planned_ = 0;
     int place_ = -1;

@@ -3,7 +3,9 @@
 
 #include "ui/scene/map_scene.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 #include <vtkActorCollection.h>
@@ -14,7 +16,7 @@ namespace planewright {
 
 namespace {
 
-/// Of the segments and not of the points: single far echoes, as through a window, must not make the room small.
+/// Of the segments, and not of the points.
 Eigen::AlignedBox3d boundsOf(const ShownMap& map)
 {
     Eigen::AlignedBox3d bounds;
@@ -28,6 +30,45 @@ Eigen::AlignedBox3d boundsOf(const ShownMap& map)
         }
     }
     return bounds;
+}
+
+constexpr double kLeftOut = 0.01;  // of the segments' ends, at either end of an axis
+
+/// As MapScene::framing().
+Eigen::AlignedBox3d framingOf(const ShownMap& map)
+{
+    Eigen::AlignedBox3d framing;
+    if (!map.snapshot)
+        return framing;
+    const SegmentLog& log = map.snapshot->segments;
+    std::array<std::vector<double>, 3> ends;
+    for (std::size_t slice = 0; slice < log.slices(); ++slice) {
+        for (const LineSegment& segment : log.slice(slice)) {
+            for (int axis = 0; axis < 3; ++axis) {
+                ends[static_cast<std::size_t>(axis)].push_back(segment.start[axis]);
+                ends[static_cast<std::size_t>(axis)].push_back(segment.end[axis]);
+            }
+        }
+    }
+    if (ends[0].empty())
+        return framing;
+    const auto left = static_cast<std::ptrdiff_t>(kLeftOut * static_cast<double>(ends[0].size()));
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<double>& along = ends[static_cast<std::size_t>(axis)];
+        std::nth_element(along.begin(), along.begin() + left, along.end());
+        framing.min()[axis] = along[static_cast<std::size_t>(left)];
+        std::nth_element(along.begin(), along.end() - 1 - left, along.end());
+        framing.max()[axis] = *(along.end() - 1 - left);
+    }
+    for (const ShownPlane& plane : map.planes) {
+        if (plane.hidden || !plane.outline)
+            continue;
+        for (const Outline::Polygon& part : plane.outline->outline.parts) {
+            for (const Eigen::Vector3d& corner : part.ring)
+                framing.extend(corner);
+        }
+    }
+    return framing;
 }
 
 }  // namespace
@@ -45,6 +86,7 @@ void MapScene::setMap(std::shared_ptr<const ShownMap> map)
     map_ = map ? std::move(map) : std::make_shared<const ShownMap>();
     owners_ = SegmentOwners(*map_);
     bounds_ = boundsOf(*map_);
+    framing_ = framingOf(*map_);
     if (layers_.colourBy == ColourBy::Height || layers_.colourBy == ColourBy::Class)
         ++coloursVersion_;
     changed_ = true;
@@ -145,6 +187,12 @@ std::vector<SceneLabel> MapScene::labels() const
     if (!layers_.labels || !layers_[Layer::Planes].visible)
         return labels;
     const Colouring colouring(*map_, layers_, theme_);
+    const auto seen = [&](const Plane& plane, const Outline& outline) {
+        if (camera_.parallel)
+            return outline.area * std::abs(plane.normal.dot(camera_.forward()));
+        const Eigen::Vector3d sight = outline.centroid - camera_.eye();
+        return outline.area * std::abs(plane.normal.dot(sight)) / std::max(std::pow(sight.norm(), 3), 1e-9);
+    };
     for (std::size_t i = 0; i < map_->planes.size(); ++i) {
         const ShownPlane& plane = map_->planes[i];
         if (plane.hidden || !plane.outline || plane.outline->outline.parts.empty())
@@ -157,8 +205,10 @@ std::vector<SceneLabel> MapScene::labels() const
         else if (!plane.className.empty())
             text += " " + plane.className;
         labels.push_back({plane.outline->outline.centroid, std::move(text), colouring.ofPlane(static_cast<int>(i)),
-                          selection_.planes.contains(plane.plane->id)});
+                          selection_.planes.contains(plane.plane->id), seen(*plane.plane, plane.outline->outline)});
     }
+    std::stable_sort(labels.begin(), labels.end(),
+                     [](const SceneLabel& a, const SceneLabel& b) { return a.seen > b.seen; });
     return labels;
 }
 

@@ -38,6 +38,7 @@ struct SceneLabel {
     std::string text;
     Rgb colour;
     bool selected = false;
+    double seen = 0.0;  ///< how large the plane appears from the camera [sr], in parallel views [m²]
 };
 
 /// A scan as a picture: layers of actors in one renderer of VTK, which whoever shows it puts into a window.
@@ -65,8 +66,12 @@ public:
     Theme theme() const { return theme_; }
     const SceneSelection& selection() const { return selection_; }
     const ViewCamera& camera() const { return camera_; }
+    const std::optional<Eigen::AlignedBox3d>& clipBox() const { return clipBox_; }
     /// Of all that was scanned and of all planes [m]; empty before the first slice.
     const Eigen::AlignedBox3d& bounds() const { return bounds_; }
+    /// What a picture of the scan shows: all planes that are not hidden and 98 % of the segments' ends along each axis
+    /// [m]. Single far echoes, as through a window, do not make the room small. Empty before the first slice.
+    const Eigen::AlignedBox3d& framing() const { return framing_; }
 
     /// Brings the actors up to date; without this the renderer shows what it showed before.
     void update();
@@ -75,7 +80,7 @@ public:
     void setPointBudget(std::size_t budget) { points_.setBudget(budget); }
     PointLayer& points() { return points_; }
 
-    /// Names of planes at their centres.
+    /// Names of planes at their centres, those that appear largest first.
     std::vector<SceneLabel> labels() const;
     std::vector<LegendEntry> legend(std::size_t most) const;
 
@@ -93,6 +98,7 @@ private:
     double pixelRatio_ = 1.0;
     ViewCamera camera_;
     Eigen::AlignedBox3d bounds_;
+    Eigen::AlignedBox3d framing_;
     std::uint64_t coloursVersion_ = 1;
     bool changed_ = true;
     PointLayer points_;

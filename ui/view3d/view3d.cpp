@@ -103,7 +103,7 @@ void View3d::setMap(std::shared_ptr<const ShownMap> map)
     if (scene_.bounds().isEmpty())
         framed_ = framed_ && !wasEmpty;
     else if (!framed_)
-        scene_.setCamera(fitted(scene_.camera(), scene_.bounds(), aspect()));
+        fitUnasked();
     request(Detail::Moving);
     restTimer_.start();
 }
@@ -138,6 +138,7 @@ void View3d::setClipBox(const std::optional<Eigen::AlignedBox3d>& box)
 {
     scene_.setClipBox(box);
     request(Detail::Full);
+    emit clipBoxChanged();
 }
 
 void View3d::setOverlay(const OverlayContent& content)
@@ -182,12 +183,12 @@ double View3d::aspect() const
 
 void View3d::showNamed(NamedView view)
 {
-    setCamera(namedView(view, scene_.bounds(), aspect(), scene_.camera()));
+    setCamera(namedView(view, scene_.framing(), aspect(), scene_.camera()));
 }
 
 void View3d::fitAll()
 {
-    setCamera(fitted(scene_.camera(), scene_.bounds(), aspect()));
+    setCamera(fitted(scene_.camera(), scene_.framing(), aspect()));
     framed_ = false;
 }
 
@@ -265,7 +266,13 @@ void View3d::resizeEvent(QResizeEvent* event)
         presenter_->widget().setGeometry(rect());
     glass_->setGeometry(rect());
     if (!framed_ && height() > 0)
-        scene_.setCamera(fitted(scene_.camera(), scene_.bounds(), aspect()));
+        fitUnasked();
+}
+
+void View3d::fitUnasked()
+{
+    scene_.setCamera(fitted(scene_.camera(), scene_.framing(), aspect()));
+    emit cameraFitted();
 }
 
 void View3d::mousePressEvent(QMouseEvent* event)

@@ -74,6 +74,9 @@ signals:
     void hovered(planewright::PlaneId plane);
     void pointPicked(const planewright::Picked& picked);
     void cameraChanged();
+    /// By itself the camera went to where all of the scan is in sight.
+    void cameraFitted();
+    void clipBoxChanged();
     void pointerMoved(const std::optional<Eigen::Vector3d>& place);
 
 protected:
@@ -98,6 +101,7 @@ private:
     std::optional<Picked> pickedAt(const QPointF& place) const;
     void moveCamera(const ViewCamera& camera);
     void hoverNow();
+    void fitUnasked();
     void request(Detail detail);
 
     MapScene scene_;

@@ -7,6 +7,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -31,6 +32,7 @@ private slots:
     void theLastPassLeavesTheCursorAtTheLastStep();
     void asManyChartsAsThereIsRoomForStandBesideEachOther();
     void oneChartCanBeShownAlone();
+    void oneChartAloneIsAsHighAsThereIsRoom();
     void copyGivesTabSeparatedNumbers();
     void theTableHasTheSameNumbers();
     void picturesAreWritten();
@@ -218,6 +220,19 @@ void ChartsPanelTest::everyControlHasANameAndASize()
     panel_->setPlace(9);
     QVERIFY(view(0).accessibleDescription().startsWith("Step 10: fitted "));
     QVERIFY(panel_->minimumSizeHint().width() <= 480);
+}
+
+void ChartsPanelTest::oneChartAloneIsAsHighAsThereIsRoom()
+{
+    panel_->choose(2);
+    const auto* seen = panel_->findChild<QScrollArea*>(QStringLiteral("chartScroll"))->viewport();
+
+    for (const int height : {110, 130, 260, 130}) {
+        panel_->resize(720, height);
+        QTest::qWait(0);
+
+        QCOMPARE(view(2).height(), seen->height());
+    }
 }
 
 }  // namespace planewright

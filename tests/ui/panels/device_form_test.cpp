@@ -31,6 +31,7 @@ private slots:
     void aSearchThatCannotFindIsTold();
     void aTestNeedsBothDevices();
     void levelNeedsATiltUnit();
+    void limitsThatMakeNoSenseMoveNothing();
     void aUnitThatWaitsForAPersonIsReleasedByOne();
     void anglesBeyondTheLimitsAreTold();
     void limitsAreFoldedAway();
@@ -260,6 +261,25 @@ void DeviceFormTest::steppingTakesLonger()
     find<QComboBox>("scanMode")->setCurrentIndex(1);
 
     QCOMPARE(find<QLabel>("scanSize")->text(), QStringLiteral("137 steps × 721 points = 98,777 points, about 10.3 s"));
+}
+
+void DeviceFormTest::limitsThatMakeNoSenseMoveNothing()
+{
+    form().setChoices({kServo});
+    QVERIFY(form().canGoHome());
+
+    find<QDoubleSpinBox>("deviceHighest")->setValue(50.0);
+    find<QDoubleSpinBox>("deviceLowest")->setValue(100.0);
+
+    QVERIFY(!form().canGoHome());
+    QVERIFY(!find<QPushButton>("homeDevices")->isEnabled());
+    const auto labels = panel_->findChildren<QLabel*>("problem");
+    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text().contains("lowest tilt below the highest");
+    }));
+    // A head that is connected has the limits that it was connected with.
+    form().setConnectedHead(true);
+    QVERIFY(form().canGoHome());
 }
 
 }  // namespace planewright

@@ -36,6 +36,8 @@ private slots:
     void aFileThatIsNotThereIsNotOpened();
     void aRecordingIsOpenedOrPlayed();
     void recentRecordingsAreChosenWithTheKeyboard();
+    void whatIsTypedAndNotOpenIsMarked();
+    void theButtonsStayInSightInALowWindow();
 
 private:
     template <class Widget>
@@ -210,6 +212,48 @@ void SourcePanelTest::recentRecordingsAreChosenWithTheKeyboard()
     QTest::keyClick(recent, Qt::Key_Down);
 
     QCOMPARE(find<QLineEdit>("recordingFile")->text(), QStringLiteral("/data/two.pwscan"));
+}
+
+void SourcePanelTest::whatIsTypedAndNotOpenIsMarked()
+{
+    panel_->showSimulation({.scene = "office", .seed = 3});
+    QVERIFY(!find<QLabel>("notInUse")->isVisible());  // nothing is open
+
+    panel_->setOpened("Simulated office");
+    QVERIFY(!find<QLabel>("notInUse")->isVisible());
+    find<QLineEdit>("seed")->setText("4");
+    QVERIFY(find<QLabel>("notInUse")->isVisible());
+    QVERIFY(find<QLabel>("notInUse")->text().contains("Simulated office"));
+    find<QLineEdit>("seed")->setText("3");
+    QVERIFY(!find<QLabel>("notInUse")->isVisible());
+    find<QComboBox>("sourceType")->setCurrentIndex(1);
+    QVERIFY(find<QLabel>("notInUse")->isVisible());
+
+    panel_->setOpened({});
+    QVERIFY(!find<QLabel>("notInUse")->isVisible());
+}
+
+void SourcePanelTest::theButtonsStayInSightInALowWindow()
+{
+    panel_->setOpened("Simulated corridor");
+    panel_->resize(300, 330);
+    for (const int type : {0, 1, 2}) {
+        find<QComboBox>("sourceType")->setCurrentIndex(type);
+        QTest::qWait(0);
+
+        QStringList names{"openSource", "notInUse"};
+        if (type == 0)
+            names.removeLast();
+        if (type == 2)
+            names << "findDevices"
+                  << "testDevices"
+                  << "homeDevices";
+        for (const QString& name : names) {
+            const auto* widget = panel_->findChild<QWidget*>(name);
+            QVERIFY2(widget->isVisible() && widget->visibleRegion().boundingRect() == widget->rect(),
+                     qPrintable(name + " of type " + QString::number(type)));
+        }
+    }
 }
 
 }  // namespace planewright

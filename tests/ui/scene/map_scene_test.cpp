@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/test_program.h"
+#include "tests/ui/made_map.h"
 #include "tests/ui/scene/shown_room.h"
 #include "ui/scene/scene_pick.h"
 
@@ -25,6 +26,8 @@ private slots:
     void hiddenPlanesAreNotPicked();
     void aPointIsPickedWhereItWasMeasured();
     void legendsNameWhatIsShown();
+    void singleFarEchoesDoNotMakeTheRoomSmall();
+    void planesThatAppearLargestAreNamedFirst();
 
 private:
     std::shared_ptr<const ShownMap> corridor_;
@@ -195,6 +198,56 @@ void MapSceneTest::legendsNameWhatIsShown()
     scene.setLayers(byStep);
     QCOMPARE(scene.legend(100).front().text, std::string("step 137"));
     QCOMPARE(scene.legend(100).back().text, std::string("step 1"));
+}
+
+void MapSceneTest::singleFarEchoesDoNotMakeTheRoomSmall()
+{
+    MadeMap made;
+    for (int step = 0; step < 200; ++step)
+        made.slice(1);  // a segment from x = 0 to 1 m, at y = 2 m, from z = 0 to 19.9 m
+    auto far = std::make_shared<ShownMap>(*made.get());
+    auto snapshot = std::make_shared<Snapshot>(*far->snapshot);
+    LineSegment echo;
+    echo.id = {200, 0};
+    echo.start = {300.0, 2.0, 1.0};
+    echo.end = {301.0, 2.0, 1.0};
+    snapshot->segments.append(200, std::make_shared<Segments>(Segments{echo}));
+    far->snapshot = snapshot;
+    MapScene scene;
+
+    scene.setMap(far);
+
+    QCOMPARE(scene.bounds().max().x(), 301.0);
+    QCOMPARE(scene.framing().max().x(), 1.0);
+    QCOMPARE(scene.framing().min().x(), 0.0);
+    // Of 402 ends along z, two a step, four are left out at either end: those of two steps.
+    QCOMPARE(scene.framing().max().z(), 19.7);
+    QVERIFY(std::abs(scene.framing().min().z() - 0.2) < 1e-12);
+}
+
+void MapSceneTest::planesThatAppearLargestAreNamedFirst()
+{
+    MapScene scene;
+    scene.setMap(corridor_);
+    const std::size_t floor = floorOf(*corridor_);
+    scene.setCamera(namedView(NamedView::Top, scene.bounds(), 1.6, {}));
+
+    const std::vector<SceneLabel> labels = scene.labels();
+
+    QCOMPARE(labels.size(), corridor_->planes.size());
+    QVERIFY(std::is_sorted(labels.begin(), labels.end(),
+                           [](const SceneLabel& a, const SceneLabel& b) { return a.seen > b.seen; }));
+    // From above floor and ceiling are seen in full, walls from their edge; the ceiling is nearer.
+    const Eigen::Vector3d eye = scene.camera().eye();
+    const ShownPlane& plane = corridor_->planes[floor];
+    const Eigen::Vector3d sight = plane.outline->outline.centroid - eye;
+    const double expected =
+        plane.outline->outline.area * std::abs(plane.plane->normal.dot(sight.normalized())) / sight.squaredNorm();
+    const auto named = std::find_if(labels.begin(), labels.end(), [&](const SceneLabel& label) {
+        return label.place == plane.outline->outline.centroid;
+    });
+    QVERIFY(named - labels.begin() < 2);
+    QVERIFY(std::abs(named->seen - expected) < 1e-9);
 }
 
 }  // namespace planewright
