@@ -52,6 +52,7 @@ void ClipControl::use(bool on)
         isSet_ = true;
     }
     show(panel.box());
+    parts_.showClipBox();
 }
 
 void ClipControl::show(const Eigen::AlignedBox3d& box)

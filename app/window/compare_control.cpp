@@ -36,6 +36,14 @@ Parameters withPreset(const Parameters& present, std::string_view preset)
     return parameters;
 }
 
+bool haveSameValues(const Parameters& a, const Parameters& b)
+{
+    const std::vector<ParameterRow>& rows = parameterRows();
+    return std::all_of(rows.begin(), rows.end(), [&](const ParameterRow& row) {
+        return printParameter(a, row.key) == printParameter(b, row.key);
+    });
+}
+
 struct Average {
     const char* value;
     const char* name;
@@ -103,9 +111,8 @@ void CompareControl::connectActions()
     refresh();
 }
 
-std::vector<CompareControl::Choice> CompareControl::choices() const
+std::vector<CompareControl::Choice> CompareControl::choices(const Parameters& present)
 {
-    const Parameters& present = parts_.session.parameters();
     std::vector<Choice> choices;
     for (const Preset& preset : methodPresets())
         choices.push_back({wordsOf(preset.name), wordsOf(preset.meaning), withPreset(present, preset.name)});
@@ -121,7 +128,7 @@ std::vector<CompareControl::Choice> CompareControl::choices() const
 
 void CompareControl::refreshChoices()
 {
-    choices_ = choices();
+    choices_ = choices(parts_.session.parameters());
     QStringList names;
     QStringList meanings;
     for (const Choice& choice : choices_) {
@@ -129,6 +136,18 @@ void CompareControl::refreshChoices()
         meanings.push_back(choice.meaning);
     }
     panel_->setChoices(names, meanings);
+}
+
+/// A choice that says how the scan was extracted, with its average where that is one of the paper's.
+QString CompareControl::nameOfScan() const
+{
+    const Parameters& parameters = *parts_.session.history().back().parameters;
+    std::vector<Choice> candidates = choices(parameters);
+    candidates.pop_back();  // the parameters themselves
+    const auto match = std::find_if(candidates.rbegin(), candidates.rend(), [&](const Choice& candidate) {
+        return haveSameValues(candidate.parameters, parameters);
+    });
+    return match == candidates.rend() ? tr("this scan") : match->name;
 }
 
 /// The second view looks like the first, from the same place.
@@ -148,6 +167,9 @@ void CompareControl::connectView()
     };
     connect(&first, &View3d::cameraChanged, this, [&first, &second, follow] { follow(first, second); });
     connect(&second, &View3d::cameraChanged, this, [&first, &second, follow] { follow(second, first); });
+    connect(&first, &View3d::cameraFitted, this, [&first, &second, follow] { follow(first, second); });
+    connect(&second, &View3d::cameraFitted, this, [&first, &second, follow] { follow(second, first); });
+    connect(&first, &View3d::clipBoxChanged, this, [&first, &second] { second.setClipBox(first.scene().clipBox()); });
     connect(&second, &View3d::clicked, this, [this](const std::optional<Picked>& picked, bool /*add*/) {
         const PlaneId plane = picked ? picked->plane : kNoPlane;
         const int row = model_.rowOfB(plane);
@@ -159,7 +181,7 @@ void CompareControl::connectView()
     connect(&parts_.selection, &MapSelection::changed, this, &CompareControl::takeSelection);
     second.setLayers(parts_.layers);
     second.setTheme(follower_.theme());
-    second.setCamera(first.camera());
+    second.setClipBox(first.scene().clipBox());
 }
 
 void CompareControl::run(int choice)
@@ -176,10 +198,11 @@ void CompareControl::run(int choice)
     branchName_ = chosen.name;
     connect(branch_.get(), &ScanBranch::grown, this, &CompareControl::takeGrown);
     connect(branch_.get(), &ScanBranch::ended, this, &CompareControl::takeEnded);
-    panel_->setNames(tr("this scan"), branchName_);
+    panel_->setNames(nameOfScan(), branchName_);
     panel_->setProgress(0, static_cast<int>(parts_.session.history().size()));
     connectView();
     parts_.window->showSecondView(true);
+    parts_.window->secondView().setCamera(parts_.window->view().camera());
     parts_.window->showBottomPanel(QStringLiteral("comparePanel"));
 }
 
@@ -299,7 +322,8 @@ void CompareControl::showExample()
                 }
                 if (!std::exchange(isExtracted, true)) {
                     const auto index = static_cast<std::size_t>(choiceOf("sma"));
-                    Result<void> begun = parts_.session.setParameters(choices()[index].parameters);
+                    Result<void> begun =
+                        parts_.session.setParameters(choices(parts_.session.parameters())[index].parameters);
                     if (begun)
                         begun = parts_.session.rerun();
                     if (begun)

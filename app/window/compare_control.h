@@ -39,7 +39,9 @@ private:
         Parameters parameters;
     };
 
-    std::vector<Choice> choices() const;
+    /// With what `present` knows of the scanner; that itself comes last.
+    static std::vector<Choice> choices(const Parameters& present);
+    QString nameOfScan() const;
     void refreshChoices();
     void connectActions();
     void connectView();

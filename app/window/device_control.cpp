@@ -7,6 +7,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <QSignalBlocker>
 
 #include "app/sources/scan_size.h"
 #include "app/window/device_settings.h"
@@ -66,6 +67,7 @@ DeviceControl::DeviceControl(WindowParts& parts, ScanControl& scan)
     parts_.sourcePanel->devices().setSetup(loadDeviceSetup(parts_.settings));
     search_.setKnown(loadKnownLasers(parts_.settings));
     connectForm();
+    connectActions();
     connectTrials();
     parts_.sourcePanel->setDeviceEstimate([this](const DeviceSetup& setup) { return estimate(setup); });
     connect(&search_, &DeviceSearch::begun, this, &DeviceControl::refresh);
@@ -79,6 +81,8 @@ DeviceControl::~DeviceControl()
 {
     saveDeviceSetup(parts_.sourcePanel->devices().setup(), parts_.settings);
     parts_.sourcePanel->setDeviceEstimate({});
+    parts_.beforeOpen = {};
+    parts_.isTrying = {};
 }
 
 void DeviceControl::connectForm()
@@ -90,9 +94,49 @@ void DeviceControl::connectForm()
     connect(&panel.devices(), &DeviceForm::searchRequested, this, [this] { search(true); });
     connect(&panel.devices(), &DeviceForm::testRequested, this, &DeviceControl::test);
     connect(&panel.devices(), &DeviceForm::homeRequested, this, &DeviceControl::home);
-    connect(parts_.window->actions()[QStringLiteral("actHome")], &QAction::triggered, this, &DeviceControl::home);
-    connect(&panel.devices(), &DeviceForm::changed, this, &DeviceControl::refreshHome);
+    connect(&panel.devices(), &DeviceForm::changed, this, &DeviceControl::refreshActions);
     connect(&panel.devices(), &DeviceForm::recoverRequested, this, &DeviceControl::recover);
+}
+
+void DeviceControl::connectActions()
+{
+    const auto on = [&](const char* name, auto&& call) {
+        connect(parts_.window->actions()[QLatin1String(name)], &QAction::triggered, this, call);
+    };
+    on("actHome", [this] { home(); });
+    on("actConnect", [this] {
+        if (showFilledForm())
+            connectDevices(parts_.sourcePanel->devices().setup());
+    });
+    on("actTestDevices", [this] {
+        if (showFilledForm())
+            test();
+    });
+    on("actFindDevices", [this] {
+        parts_.showDevices();
+        search(true);
+    });
+    on("actRecover", [this] {
+        if (parts_.session.isMotionStopped())
+            static_cast<void>(parts_.session.release());
+        else
+            recover();
+    });
+    parts_.beforeOpen = [this](const std::string& fileOrAddress) { return prepare(fileOrAddress); };
+    parts_.isTrying = [this] { return search_.isBusy() || trials_.isBusy(); };
+}
+
+bool DeviceControl::showFilledForm()
+{
+    {
+        // What looks for devices could not test them meanwhile.
+        const QSignalBlocker quiet(parts_.sourcePanel);
+        parts_.showDevices();
+    }
+    const QString problem = parts_.sourcePanel->devices().problem();
+    if (!problem.isEmpty())
+        parts_.say(problem);
+    return problem.isEmpty();
 }
 
 void DeviceControl::connectTrials()
@@ -147,9 +191,14 @@ bool DeviceControl::hasConnectedHead() const
     return parts_.session.canGoHome() || isStopped;
 }
 
-void DeviceControl::refreshHome()
+void DeviceControl::refreshActions()
 {
-    parts_.window->actions()[QStringLiteral("actHome")]->setEnabled(parts_.sourcePanel->devices().canGoHome());
+    const WindowActions& actions = parts_.window->actions();
+    const DeviceForm& form = parts_.sourcePanel->devices();
+    actions[QStringLiteral("actHome")]->setEnabled(form.canGoHome());
+    actions[QStringLiteral("actTestDevices")]->setEnabled(form.isTestable());
+    actions[QStringLiteral("actFindDevices")]->setEnabled(form.isTestable());
+    actions[QStringLiteral("actRecover")]->setEnabled(parts_.session.isMotionStopped() || form.canRecover());
 }
 
 void DeviceControl::search(bool asks)
@@ -210,12 +259,29 @@ void DeviceControl::recover()
 
 void DeviceControl::connectDevices(const DeviceSetup& setup)
 {
-    const Result<AcquisitionSettings> settings = acquisitionWith(setup);
-    if (!settings) {
-        parts_.problem(tr("devices"), settings.error());
-        return;
-    }
     saveDeviceSetup(setup, parts_.settings);
+    scan_.open(QString::fromStdString(setup.laser));
+}
+
+/// The tilt unit and the plan are those of the form, whoever names the laser.
+Result<void> DeviceControl::prepare(const std::string& fileOrAddress)
+{
+    const auto address = parseSourceAddress(fileOrAddress);
+    if (!address || address->kind != SourceAddress::Kind::Laser)
+        return {};
+    DeviceSetup setup = parts_.sourcePanel->devices().setup();
+    setup.laser = fileOrAddress;
+    if (setup.tiltUnit.empty()) {
+        parts_.sourcePanel->showDevices(setup);
+        parts_.showDevices();
+        return fail(ErrorCode::Usage,
+                    tr("%1: a laser needs a tilt unit to scan with; choose it in Setup, Source, Device.")
+                        .arg(QString::fromStdString(fileOrAddress))
+                        .toStdString());
+    }
+    const Result<AcquisitionSettings> settings = acquisitionWith(setup);
+    if (!settings)
+        return tl::unexpected{settings.error()};
     NoddingSetup nodding = noddingOf(setup, *settings);
     // The session, which waits for whom it opens, is one of the parts: they are there as long as anybody calls this.
     nodding.progress = [&parts = parts_](const std::string& line) {
@@ -225,7 +291,7 @@ void DeviceControl::connectDevices(const DeviceSetup& setup)
     connected_ = setup;
     scanner_.reset();
     parts_.session.setNodding(nodding);
-    scan_.open(QString::fromStdString(setup.laser));
+    return {};
 }
 
 void DeviceControl::connectHealth()

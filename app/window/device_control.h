@@ -26,11 +26,15 @@ public:
     /// Ends what runs, and keeps what is set up.
     ~DeviceControl() override;
 
+    /// What was asked for when devices were connected last.
+    const DeviceSetup& connected() const { return connected_; }
+
     /// A click on the line about the devices shows their form.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void connectForm();
+    void connectActions();
     void connectHealth();
     void showLine(const std::vector<HealthFact>& health);
     void connectTrials();
@@ -46,7 +50,11 @@ private:
     void refresh();
     bool isIdle() const;
     bool hasConnectedHead() const;
-    void refreshHome();
+    void refreshActions();
+    /// Sets the session up for a laser; nothing to do for other addresses. Usage error where no tilt unit is chosen.
+    Result<void> prepare(const std::string& fileOrAddress);
+    /// Brings the form into sight without a search; false where it is not filled in, and then it has been said.
+    bool showFilledForm();
 
     WindowParts& parts_;
     ScanControl& scan_;

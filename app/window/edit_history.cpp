@@ -50,10 +50,17 @@ Result<void> EditHistory::add(const Edit& edit)
     return {};
 }
 
-const StoredEdit* EditHistory::lastDone() const
+std::optional<std::size_t> EditHistory::lastDone() const
 {
     const auto last = std::find_if(edits_.rbegin(), edits_.rend(), [](const StoredEdit& edit) { return !edit.undone; });
-    return last == edits_.rend() ? nullptr : &*last;
+    if (last == edits_.rend())
+        return std::nullopt;
+    return static_cast<std::size_t>(edits_.rend() - last) - 1;
+}
+
+std::optional<std::size_t> EditHistory::nextRedone() const
+{
+    return redo_.empty() ? std::nullopt : std::optional{redo_.back()};
 }
 
 Result<void> EditHistory::setUndone(std::size_t place, bool undone)
@@ -68,13 +75,12 @@ Result<void> EditHistory::setUndone(std::size_t place, bool undone)
 
 Result<void> EditHistory::undo()
 {
-    const StoredEdit* last = lastDone();
-    if (last == nullptr)
+    const std::optional<std::size_t> last = lastDone();
+    if (!last)
         return {};
-    const auto place = static_cast<std::size_t>(last - edits_.data());
-    if (auto done = setUndone(place, true); !done)
+    if (auto done = setUndone(*last, true); !done)
         return done;
-    redo_.push_back(place);
+    redo_.push_back(*last);
     return {};
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/formats/pwscan_project.h"
@@ -29,14 +30,18 @@ public:
     Result<void> undo();
     Result<void> redo();
 
-    bool canUndo() const { return lastDone() != nullptr; }
+    bool canUndo() const { return lastDone().has_value(); }
     bool canRedo() const { return !redo_.empty(); }
+    /// The places in all() of what undo() takes back and redo() makes again; nothing where there is none.
+    std::optional<std::size_t> lastDone() const;
+    std::optional<std::size_t> nextRedone() const;
+    /// What is undone can no longer be made again.
+    void forgetUndone() { redo_.clear(); }
     /// All of them, undone ones too.
     const std::vector<StoredEdit>& all() const { return edits_; }
     std::vector<Edit> inForce() const { return editsInForce(edits_); }
 
 private:
-    const StoredEdit* lastDone() const;
     Result<void> setUndone(std::size_t place, bool undone);
 
     PwscanProject* project_ = nullptr;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "app/window/timeline_words.h"
 #include "core/types/plane_words.h"
+#include "ui/dialogs/history_dialog.h"
 #include "ui/panels/filtered_table.h"
 
 namespace planewright {
@@ -16,6 +18,7 @@ PlaneEdits::PlaneEdits(WindowParts& parts) : QObject(&parts), parts_(parts)
     connectTable();
     connect(&parts_.selection, &MapSelection::changed, this, &PlaneEdits::refresh);
     connect(&parts_, &WindowParts::mapShown, this, &PlaneEdits::refresh);
+    connect(&parts_.undo, &UndoLine::changed, this, &PlaneEdits::refresh);
     refresh();
 }
 
@@ -58,8 +61,9 @@ void PlaneEdits::connectActions()
         });
         edit(Edit::Kind::Lock, selected(), {}, anyFree);
     });
-    on("actUndo", [this] { take(parts_.edits.undo()); });
-    on("actRedo", [this] { take(parts_.edits.redo()); });
+    on("actUndo", [this] { take(parts_.undo.undo()); });
+    on("actRedo", [this] { take(parts_.undo.redo()); });
+    on("actHistory", [this] { showHistory(); });
     on("actCopy", [this] { parts_.planesPanel->table()->copyAction()->trigger(); });
 
     QMenu* classes = actions.submenu(QStringLiteral("class"));
@@ -97,7 +101,7 @@ void PlaneEdits::edit(Edit::Kind kind, std::vector<PlaneId> planes, const QStrin
 {
     if (planes.empty())
         return;
-    take(parts_.edits.add({kind, std::move(planes), text.toStdString(), on}));
+    take(parts_.undo.add({kind, std::move(planes), text.toStdString(), on}));
 }
 
 void PlaneEdits::take(const Result<void>& result)
@@ -106,6 +110,22 @@ void PlaneEdits::take(const Result<void>& result)
         parts_.problem(tr("edits"), result.error());
     parts_.showMap();
     refresh();
+}
+
+void PlaneEdits::showHistory()
+{
+    HistoryDialog dialog(parts_.window.get());
+    const auto show = [this, &dialog] {
+        std::vector<HistoryDialog::Line> lines;
+        for (const UndoLine::Entry& entry : parts_.undo.entries())
+            lines.push_back({entry.edit ? timelineLineOf(*entry.edit) : tr("Extracted once more"), entry.isUndone});
+        dialog.setLines(lines, parts_.undo.canUndo(), parts_.undo.canRedo());
+    };
+    connect(&parts_.undo, &UndoLine::changed, &dialog, show);
+    connect(&dialog, &HistoryDialog::undoRequested, this, [this] { take(parts_.undo.undo()); });
+    connect(&dialog, &HistoryDialog::redoRequested, this, [this] { take(parts_.undo.redo()); });
+    show();
+    dialog.exec();
 }
 
 void PlaneEdits::refresh()
@@ -121,8 +141,8 @@ void PlaneEdits::refresh()
     actions[QStringLiteral("actMerge")]->setEnabled(count >= 2);
     actions[QStringLiteral("actShowAll")]->setEnabled(!planesThat(true).empty());
     actions.submenu(QStringLiteral("class"))->setEnabled(count > 0);
-    actions[QStringLiteral("actUndo")]->setEnabled(parts_.edits.canUndo());
-    actions[QStringLiteral("actRedo")]->setEnabled(parts_.edits.canRedo());
+    actions[QStringLiteral("actUndo")]->setEnabled(parts_.undo.canUndo());
+    actions[QStringLiteral("actRedo")]->setEnabled(parts_.undo.canRedo());
 }
 
 }  // namespace planewright

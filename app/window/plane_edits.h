@@ -22,6 +22,7 @@ private:
     void edit(Edit::Kind kind, std::vector<PlaneId> planes, const QString& text = {}, bool on = true);
     void take(const Result<void>& result);
     void refresh();
+    void showHistory();
     std::vector<PlaneId> selected() const;
     /// Planes that are hidden, or are not.
     std::vector<PlaneId> planesThat(bool hidden) const;

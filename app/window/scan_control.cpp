@@ -132,6 +132,7 @@ void ScanControl::showMotionStopped(bool isStopped)
 
 void ScanControl::open(const QString& fileOrAddress, bool starts)
 {
+    simulated_.reset();
     openWith(SessionOptions{}.simulation, fileOrAddress, starts);
 }
 
@@ -146,6 +147,7 @@ void ScanControl::simulate(const SimulationSetup& setup)
     }
     simulation.settings = *settings;
     simulation.noise = *noise;
+    simulated_ = setup;
     openRoom(simulation, QString::fromStdString(addressOf(setup)));
 }
 
@@ -154,7 +156,10 @@ void ScanControl::openWith(const SimulatedScanner& simulation, const QString& fi
     startsWhenReady_ = starts && fileOrAddress.startsWith(QLatin1String("sim:"));
     parts_.fault.reset();
     parts_.session.setSimulation(simulation);
-    const auto opened = parts_.session.open(fileOrAddress.toStdString());
+    const std::string text = fileOrAddress.toStdString();
+    Result<void> opened = parts_.beforeOpen ? parts_.beforeOpen(text) : Result<void>{};
+    if (opened)
+        opened = parts_.session.open(text);
     if (!opened) {
         parts_.fault = opened.error();
         parts_.problem(tr("open"), opened.error());

@@ -25,6 +25,9 @@ public:
     /// Scans the room of an address with this scanner.
     void openRoom(const SimulatedScanner& simulation, const QString& address) { openWith(simulation, address, true); }
 
+    /// The set-up of the room that was opened last, where an address does not say all of it.
+    const std::optional<SimulationSetup>& simulated() const { return simulated_; }
+
     /// Names the phase of a step that is looked at; empty for none.
     void setSeenPhase(const QString& phase);
     /// Motion is stopped: says so, with what releases it, and gives false.
@@ -49,6 +52,7 @@ private:
 
     WindowParts& parts_;
     bool startsWhenReady_ = false;
+    std::optional<SimulationSetup> simulated_;
     QString seenPhase_;
 };
 

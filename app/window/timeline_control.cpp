@@ -56,13 +56,16 @@ TimelineControl::TimelineControl(WindowParts& parts, HistoryControl& history)
     connect(&parts_.session, &ScanSession::stateChanged, this, [this] {
         showColumns();
         showPlace();
+        showHint();
     });
+    connect(&parts_.session, &ScanSession::motionStoppedChanged, this, &TimelineControl::showHint);
     connect(&parts_.session, &ScanSession::projectChanged, this, &TimelineControl::takeProject);
     connect(&parts_.session, &ScanSession::projectBegun, this, &TimelineControl::saveBookmarks);
     connect(&parts_.session, &ScanSession::logLine, this,
             [this](LogLevel level, const QString& /*source*/, const QString& text) { hear(level, text); });
     takeProject();
     takeHistory();
+    showHint();
 }
 
 void TimelineControl::connectActions()
@@ -350,7 +353,7 @@ void TimelineControl::takeEdits()
         // Planes that edits have made are not among those of the scan.
         if (place < 0)
             place = static_cast<int>(columns_.size()) - 1;
-        edits_.emplace_back(place, timelineLineOf(edit));
+        edits_.emplace_back(place, tr("%1 (made afterwards, holds from here on)").arg(timelineLineOf(edit)));
     }
     showColumns();
 }
@@ -376,6 +379,30 @@ void TimelineControl::showColumns()
             columns[static_cast<std::size_t>(place)].faults.push_back(line);
     }
     panel_->setColumns(std::move(columns), parts_.playhead.planned(), !isGoingOn());
+}
+
+void TimelineControl::showHint()
+{
+    const auto words = [this] {
+        switch (parts_.session.state()) {
+            case SessionState::Empty:
+                return tr("Open a recording, or choose a source in Setup.");
+            case SessionState::Connecting:
+                return tr("The source is being opened.");
+            case SessionState::Ready:
+                return parts_.session.isMotionStopped() ? tr("Release the motion, then press F5 to scan.")
+                                                        : tr("Press F5 to scan.");
+            case SessionState::Homing:
+                return parts_.session.goesHome() ? tr("The head moves to level.")
+                                                 : tr("The scan begins when the head is at its start.");
+            case SessionState::Scanning:
+            case SessionState::Replaying:
+                return tr("The first comes with the first slice.");
+            default:
+                return QString();
+        }
+    };
+    panel_->strip().setHint(words());
 }
 
 void TimelineControl::showPlace()

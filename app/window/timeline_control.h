@@ -48,6 +48,7 @@ private:
     void takeEdits();
     void takeProject();
     void showColumns();
+    void showHint();
     void showPlace();
     void refreshActions();
     void hear(LogLevel level, const QString& text);

@@ -17,6 +17,7 @@
 #include "app/window/program_control.h"
 #include "app/window/scan_control.h"
 #include "app/window/slice_control.h"
+#include "app/window/source_control.h"
 #include "app/window/timeline_control.h"
 #include "app/window/view_control.h"
 
@@ -36,6 +37,7 @@ struct WindowControllers {
           inspector(parts, history),
           lineage(parts, inspector.tabs()),
           devices(parts, scan),
+          source(parts, scan, devices),
           edits(parts),
           measure(parts),
           files(parts, scan),
@@ -57,6 +59,7 @@ struct WindowControllers {
     InspectorControl inspector;
     LineageControl lineage;
     DeviceControl devices;
+    SourceControl source;
     PlaneEdits edits;
     MeasureControl measure;
     FileControl files;

@@ -71,7 +71,8 @@ void WindowParts::makePanels()
     lookLayout->addWidget(clipBoxPanel);
     setupTabs_->addTab(sourcePanel, tr("Source"));
     setupTabs_->addTab(parametersPanel, tr("Parameters"));
-    setupTabs_->addTab(scrolling(look, setupTabs_), tr("Layers"));
+    look_ = scrolling(look, setupTabs_);
+    setupTabs_->addTab(look_, tr("Layers"));
     window->setPanel(QStringLiteral("dockSetup"), setupTabs_);
 
     planesPanel = new PlanesPanel(planes, selection);
@@ -112,6 +113,16 @@ void WindowParts::showDevices()
     window->findChild<QDockWidget*>(QStringLiteral("dockSetup"))->show();
     setupTabs_->setCurrentWidget(sourcePanel);
     sourcePanel->showDevices();
+}
+
+void WindowParts::showClipBox()
+{
+    if (window->presents())
+        return;
+    window->findChild<QDockWidget*>(QStringLiteral("dockSetup"))->show();
+    setupTabs_->setCurrentWidget(look_);
+    look_->widget()->layout()->activate();
+    look_->ensureWidgetVisible(clipBoxPanel);
 }
 
 void WindowParts::showMap()

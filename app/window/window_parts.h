@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <QObject>
+#include <QScrollArea>
 #include <QSettings>
 #include <QTabWidget>
 
@@ -16,6 +17,7 @@
 #include "app/window/background_work.h"
 #include "app/window/edit_history.h"
 #include "app/window/map_worker.h"
+#include "app/window/undo_line.h"
 #include "ui/common/layer_settings.h"
 #include "ui/common/preferences.h"
 #include "ui/main_window.h"
@@ -57,8 +59,14 @@ public:
     /// Lets the user see the form of laser and tilt unit.
     void showDevices();
 
+    /// Lets the user see and change the clip box, unless the view is to be seen alone.
+    void showClipBox();
+
     /// Something is still being worked out for what the window shows, or written.
-    bool isAtWork() const { return worker.isBusy() || background.isBusy() || (isComparing && isComparing()); }
+    bool isAtWork() const
+    {
+        return worker.isBusy() || background.isBusy() || (isComparing && isComparing()) || (isTrying && isTrying());
+    }
 
     /// Asks for the session's map with the edits in force.
     void showMap();
@@ -77,9 +85,13 @@ public:
 
     ScanSession session;
     EditHistory edits;
+    UndoLine undo{session, edits};
     MapWorker worker;
     BackgroundWork background;
     std::function<bool()> isComparing;  ///< of whoever shows a second map
+    std::function<bool()> isTrying;     ///< of whoever looks for devices and tests them
+    /// Of whoever knows what an address needs beside it: called before it is opened.
+    std::function<Result<void>(const std::string& fileOrAddress)> beforeOpen;
     /// What the window shows; never null.
     std::shared_ptr<const ShownMap> shown = std::make_shared<ShownMap>();
 
@@ -111,6 +123,7 @@ private:
     void take(const std::shared_ptr<const ShownMap>& map);
 
     QTabWidget* setupTabs_ = nullptr;
+    QScrollArea* look_ = nullptr;
     QStringList editProblems_;
 };
 

@@ -28,6 +28,8 @@ private slots:
     void bothShowTheStepThatIsLookedAt();
     void bothShowThePhaseThatIsLookedAt();
     void bothHaveOneCamera();
+    void bothShowTheSamePlaceUnasked();
+    void theClipBoxIsOfBothAndItsFieldsComeIntoSight();
     void partnersAreChosenTogether();
     void closingTakesTheSecondViewAway();
     void anotherScanEndsTheComparison();
@@ -219,6 +221,40 @@ void CompareWindowTest::movingAveragesAreAnExample()
              std::string("end-points"));
     QCOMPARE(printParameter(branch()->parameters(), "clusters.average"), std::string("ewma"));
     QVERIFY(model().rowCount() > 0);
+    const QString totals = panel().findChild<QLabel*>(QStringLiteral("compareTotals"))->text();
+    QVERIFY2(totals.contains(QStringLiteral("A: paper, SMA")), qPrintable(totals));
+    QVERIFY2(totals.contains(QStringLiteral("B: paper, EWMA")), qPrintable(totals));
+}
+
+void CompareWindowTest::bothShowTheSamePlaceUnasked()
+{
+    compareWith(QStringLiteral("paper"));
+    View3d& first = parts_->window->view();
+    View3d& second = parts_->window->secondView();
+
+    // Nobody has moved a camera: the first view has fitted the scan into half its width.
+    QCOMPARE(second.camera(), first.camera());
+    const ViewCamera before = first.camera();
+    parts_->window->resize(1100, 720);
+    QVERIFY(waitUntil([&] { return first.camera() != before; }, kPatience));
+
+    QCOMPARE(second.camera(), first.camera());
+}
+
+void CompareWindowTest::theClipBoxIsOfBothAndItsFieldsComeIntoSight()
+{
+    compareWith(QStringLiteral("paper"));
+    QVERIFY(parts_->clipBoxPanel->visibleRegion().isEmpty());
+
+    shown_->action("actClipBox")->setChecked(true);
+
+    const auto box = parts_->window->view().scene().clipBox();
+    QVERIFY(box);
+    QVERIFY(parts_->window->secondView().scene().clipBox());
+    QVERIFY(parts_->window->secondView().scene().clipBox()->isApprox(*box));
+    QVERIFY(waitUntil([this] { return !parts_->clipBoxPanel->visibleRegion().isEmpty(); }, kPatience));
+    shown_->action("actClipBox")->setChecked(false);
+    QVERIFY(!parts_->window->secondView().scene().clipBox());
 }
 
 }  // namespace planewright

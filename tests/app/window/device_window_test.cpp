@@ -31,6 +31,9 @@ private slots:
     void theHeadOfAConnectedScannerGoesToLevel_data();
     void theHeadOfAConnectedScannerGoesToLevel();
     void whatIsSetUpIsThereAfterTheNextStart();
+    void aLaserByItsAddressNeedsAChosenTiltUnit();
+    void aLaserByItsAddressTakesTheUnitAndThePlanOfTheForm();
+    void theMenuDoesWhatTheButtonsDo();
     void whoHasAScannerIsShownTheForm();
 
 private:
@@ -273,6 +276,60 @@ void DeviceWindowTest::whoHasAScannerIsShownTheForm()
     shown_->parts.window->findChild<QPushButton*>("welcomeConnect")->click();
 
     QVERIFY(find<QComboBox>("laser")->isVisible());
+}
+
+void DeviceWindowTest::aLaserByItsAddressNeedsAChosenTiltUnit()
+{
+    shown_->controllers->scan.open("tcp:127.0.0.1:1", true);
+
+    QVERIFY(shown_->parts.fault);
+    QVERIFY2(shown_->parts.fault->message.find("choose it in Setup, Source, Device") != std::string::npos,
+             shown_->parts.fault->message.c_str());
+    QCOMPARE(find<QComboBox>("laser")->currentText(), QString("tcp:127.0.0.1:1"));
+    QVERIFY(find<QComboBox>("tiltUnit")->isVisible());
+    QCOMPARE(shown_->parts.session.state(), SessionState::Empty);
+}
+
+void DeviceWindowTest::aLaserByItsAddressTakesTheUnitAndThePlanOfTheForm()
+{
+    EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig.isServing(), rig.error().constData());
+    choose("usb:", rig.tiltUnit());
+
+    shown_->controllers->scan.open(rig.laser(), true);
+
+    QVERIFY(comesTo(SessionState::Ready));
+    QCOMPARE(shown_->parts.session.status().plannedSteps, 34);  // 40° in steps of 1.16°
+    QCOMPARE(find<QComboBox>("laser")->currentText(), rig.laser());
+    QVERIFY(!find<QLabel>("notInUse")->isVisible());
+    find<QDoubleSpinBox>("deviceLastTilt")->setValue(100.0);
+    QVERIFY(find<QLabel>("notInUse")->isVisible());
+    shown_->action("actConnect")->trigger();
+    QVERIFY(waitUntil([&] { return shown_->parts.session.status().plannedSteps == 26; }, kPatience));
+    QVERIFY(!find<QLabel>("notInUse")->isVisible());
+}
+
+void DeviceWindowTest::theMenuDoesWhatTheButtonsDo()
+{
+    QCOMPARE(shown_->action("actConnect")->shortcut(), QKeySequence("Ctrl+K"));
+    QVERIFY(!shown_->action("actRecover")->isEnabled());
+    choose("tcp:127.0.0.1:1", "dynamixel:serial:/dev/no-such-port");
+    find<QComboBox>("sourceType")->setCurrentIndex(0);
+
+    shown_->action("actTestDevices")->trigger();
+
+    QVERIFY(shown_->parts.isAtWork());
+    QCOMPARE(find<QComboBox>("sourceType")->currentIndex(), 2);
+    QVERIFY(waitUntil([&] { return !shown_->parts.isAtWork(); }, kPatience));
+    QVERIFY(find<QLabel>("deviceChecks")->text().contains(QChar(0x2718)));
+    shown_->action("actFindDevices")->trigger();
+    QVERIFY(shown_->parts.isAtWork());
+    QVERIFY(!shown_->action("actTestDevices")->isEnabled());
+    QVERIFY(waitUntil([&] { return shown_->action("actTestDevices")->isEnabled(); }, kPatience));
+    shown_->action("actStopMotion")->trigger();
+    QVERIFY(shown_->action("actRecover")->isEnabled());
+    shown_->action("actRecover")->trigger();
+    QVERIFY(!shown_->parts.session.isMotionStopped());
 }
 
 }  // namespace planewright

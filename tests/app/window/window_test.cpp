@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -18,6 +19,7 @@
 #include "tests/app/window/shown_window.h"
 #include "tests/test_program.h"
 #include "ui/panels/filtered_table.h"
+#include "ui/panels/timeline_panel.h"
 
 namespace planewright {
 
@@ -44,7 +46,12 @@ private slots:
     void measurementsComeFromClicks();
     void layersFollowMenuAndPanel();
     void anUnknownSceneIsToldInABanner();
+    void theSourceSaysWhatIsOpen();
+    void whatIsEmptyWithoutAScanIsFoldedAway();
+    void theFirstPageIsWholeInTheSmallestWindow();
+    void theTimelineSaysWhatToDoNext();
     void extractingOnceMoreTakesTheNewParameters();
+    void editsAndRerunsAreTakenBackInTheirOrder();
     void everyActionHasAWordATipAndAName();
 
 private:
@@ -373,6 +380,128 @@ void WindowTest::everyActionHasAWordATipAndAName()
         }
     }
     QCOMPARE(action("actStopMotion")->shortcuts().size(), 2);
+}
+
+void WindowTest::editsAndRerunsAreTakenBackInTheirOrder()
+{
+    QVERIFY(shown_->scanCorridor());
+    const auto settle = [this] { return waitForRest(*parts_, kPatience).has_value(); };
+    const auto name = [this] { return QString::fromStdString(parts_->shown->planes.front().name); };
+    const PlaneId plane = parts_->shown->planes.front().plane->id;
+    QVERIFY(parts_->undo.add({Edit::Kind::Rename, {plane}, "North", true}));
+    const auto before = parts_->session.map()->snapshot;
+    action("actRerun")->trigger();
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
+    const auto again = parts_->session.map()->snapshot;
+    QVERIFY(again != before);
+    QVERIFY(settle());
+    QCOMPARE(name(), QStringLiteral("North"));
+    QCOMPARE(parts_->undo.entries().size(), std::size_t(2));
+
+    action("actUndo")->trigger();
+    QVERIFY(settle());
+    QCOMPARE(parts_->session.map()->snapshot, before);
+    QCOMPARE(name(), QStringLiteral("North"));
+    action("actUndo")->trigger();
+    QVERIFY(settle());
+    QVERIFY(name().isEmpty());
+    QVERIFY(!action("actUndo")->isEnabled());
+
+    action("actRedo")->trigger();
+    QVERIFY(settle());
+    QCOMPARE(parts_->session.map()->snapshot, before);
+    QCOMPARE(name(), QStringLiteral("North"));
+    action("actRedo")->trigger();
+    QVERIFY(settle());
+    QCOMPARE(parts_->session.map()->snapshot, again);
+    QVERIFY(!action("actRedo")->isEnabled());
+
+    // Whoever goes another way has nothing to make again.
+    action("actUndo")->trigger();
+    QVERIFY(parts_->undo.add({Edit::Kind::Rename, {plane}, "South", true}));
+    QVERIFY(!action("actRedo")->isEnabled());
+    QVERIFY(settle());
+}
+
+void WindowTest::theSourceSaysWhatIsOpen()
+{
+    const auto field = [this](const char* name) {
+        return parts_->sourcePanel->findChild<QWidget*>(QLatin1String(name));
+    };
+    shown_->controllers->scan.open(QStringLiteral("sim:office?seed=3&speed=0"), true);
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
+
+    QCOMPARE(parts_->sourcePanel->simulation(), (SimulationSetup{.scene = "office", .seed = 3, .speed = 0.0}));
+    QVERIFY(!field("notInUse")->isVisible());
+
+    // A form that was changed stays when the open room is scanned again.
+    static_cast<QLineEdit*>(field("seed"))->setText(QStringLiteral("4"));
+    QVERIFY(field("notInUse")->isVisible());
+    action("actStart")->trigger();
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
+    QCOMPARE(parts_->sourcePanel->simulation().seed, std::uint64_t(4));
+    QVERIFY(field("notInUse")->isVisible());
+
+    static_cast<QPushButton*>(field("openSource"))->click();
+    QVERIFY(waitUntil([this] { return parts_->session.address().find("seed=4") != std::string::npos; }, kPatience));
+    QVERIFY(!field("notInUse")->isVisible());
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
+
+    const std::string file = PLANEWRIGHT_SOURCE_DIR "/resources/samples/desk.csv.gz";
+    shown_->controllers->scan.open(QString::fromStdString(file));
+    QVERIFY(waitUntil([&] { return parts_->session.address() == file; }, kPatience));
+    QCOMPARE(static_cast<QComboBox*>(field("sourceType"))->currentIndex(), 1);
+    QCOMPARE(static_cast<QLineEdit*>(field("recordingFile"))->text().toStdString(), file);
+    QVERIFY(!field("notInUse")->isVisible());
+}
+
+void WindowTest::whatIsEmptyWithoutAScanIsFoldedAway()
+{
+    const auto dock = [this](const char* name) { return parts_->window->findChild<QWidget*>(QLatin1String(name)); };
+    QVERIFY(dock("dockSetup")->isVisible());
+    QVERIFY(!dock("dockInspector")->isVisible());
+    QVERIFY(!dock("dockBottom")->isVisible());
+
+    QVERIFY(shown_->scanCorridor());
+    QVERIFY(dock("dockInspector")->isVisible());
+    QVERIFY(dock("dockBottom")->isVisible());
+
+    // What somebody has closed stays closed.
+    dock("dockInspector")->hide();
+    parts_->session.close();
+    QVERIFY(!dock("dockBottom")->isVisible());
+    QVERIFY(shown_->scanCorridor());
+    QVERIFY(!dock("dockInspector")->isVisible());
+    QVERIFY(dock("dockBottom")->isVisible());
+}
+
+void WindowTest::theFirstPageIsWholeInTheSmallestWindow()
+{
+    parts_->window->resize(1024, 700);
+    QTest::qWait(0);
+
+    const WelcomePage& page = parts_->window->welcome();
+    for (const QLabel* label : page.findChildren<QLabel*>()) {
+        QVERIFY2(label->mapTo(&page, QPoint(label->width(), 0)).x() <= page.width(), qPrintable(label->text()));
+        QVERIFY2(label->sizeHint().width() <= label->width() || label->wordWrap(), qPrintable(label->text()));
+        QVERIFY2(label->heightForWidth(label->width()) <= label->height(), qPrintable(label->text()));
+    }
+    for (const QPushButton* button : page.findChildren<QPushButton*>())
+        QVERIFY2(button->mapTo(&page, QPoint(button->width(), 0)).x() <= page.width(), qPrintable(button->text()));
+}
+
+void WindowTest::theTimelineSaysWhatToDoNext()
+{
+    const auto hint = [this] {
+        return parts_->window->findChild<TimelinePanel*>(QStringLiteral("timelinePanel"))->strip().hint();
+    };
+    QVERIFY(!hint().contains(QStringLiteral("F5")));  // there is nothing to scan
+
+    shown_->controllers->scan.open(QStringLiteral("sim:corridor?seed=7"));
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Ready; }, kPatience));
+    QCOMPARE(hint(), QStringLiteral("Press F5 to scan."));
+    action("actStopMotion")->trigger();
+    QVERIFY(hint().startsWith(QStringLiteral("Release the motion")));
 }
 
 }  // namespace planewright

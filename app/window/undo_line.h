@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <QObject>
+
+#include "app/session/scan_session.h"
+#include "app/window/edit_history.h"
+
+namespace planewright {
+
+/// What can be undone, in one line: the edits of a scan's planes, and its re-runs between them.
+class UndoLine : public QObject {
+    Q_OBJECT
+
+public:
+    /// Both must live as long as this.
+    UndoLine(ScanSession& session, EditHistory& edits, QObject* parent = nullptr);
+
+    /// Makes an edit; what was undone before can no longer be made again. Errors: as EditHistory::add().
+    Result<void> add(const Edit& edit);
+    /// Takes back what was done last, or makes what was taken back last again. Errors: NotWritten; Usage while a re-run
+    /// cannot be exchanged. Without any nothing happens.
+    Result<void> undo();
+    Result<void> redo();
+    bool canUndo() const;
+    bool canRedo() const;
+
+    /// Something that was done: an edit, or a re-run.
+    struct Entry {
+        std::optional<Edit> edit;  ///< nothing of a re-run
+        bool isUndone = false;
+    };
+    /// All of them in their order.
+    std::vector<Entry> entries() const;
+
+signals:
+    /// There is another thing to undo or redo.
+    void changed();
+
+private:
+    bool undoesRerun() const;
+    bool redoesRerun() const;
+
+    ScanSession& session_;
+    EditHistory& edits_;
+    // How many edits there were when each re-run was made.
+    std::vector<std::size_t> reruns_;
+    std::vector<std::size_t> undone_;  ///< the one taken back last is last
+};
+
+}  // namespace planewright
