@@ -27,6 +27,8 @@ constexpr QSize kMinimumSize{1024, 700};
 constexpr int kSetupWidth = 300;
 constexpr int kPlanesWidth = 420;
 constexpr int kLeastSideWidth = 240;  ///< what is at the sides can be used in the smallest window, too
+constexpr int kLeastViewWidth = 220;  ///< of each of two
+constexpr int kLeastViewWidthAlone = 320;
 constexpr int kTimelineHeight = 132;
 constexpr int kBottomHeight = 220;
 /// The tabs at the bottom from the left, whoever comes first; others follow.
@@ -154,6 +156,8 @@ void MainWindow::showWelcome(bool shown)
 
 void MainWindow::foldEmpty()
 {
+    if (folded_.isEmpty())
+        beforeFold_ = isVisible() || isRestored_ ? saveState(kLayoutVersion) : QByteArray();
     for (const char* name : {"dockInspector", "dockBottom"}) {
         QDockWidget* dock = docks_[QLatin1String(name)];
         if (dock->isHidden() || dock->isFloating())
@@ -161,12 +165,32 @@ void MainWindow::foldEmpty()
         dock->hide();
         folded_ += QLatin1String(name);
     }
+    if (!folded_.isEmpty())
+        resizeDocks({docks_[QStringLiteral("dockTimeline")]}, {kTimelineHeight}, Qt::Vertical);
 }
 
+/// Everything is as large again as it was, and what somebody has shown or closed meanwhile stays so.
 void MainWindow::unfold()
 {
-    for (const QString& name : std::exchange(folded_, {}))
-        docks_[name]->show();
+    if (folded_.isEmpty())
+        return;
+    const QStringList folded = std::exchange(folded_, {});
+    if (presents())
+        return;  // leaving that shows them all
+    if (beforeFold_.isEmpty()) {
+        for (const QString& name : folded)
+            docks_[name]->show();
+        useOwnSizes();
+        return;
+    }
+    QHash<QString, bool> isHidden;
+    for (auto dock = docks_.cbegin(); dock != docks_.cend(); ++dock)
+        isHidden[dock.key()] = dock.value()->isHidden();
+    restoreState(beforeFold_, kLayoutVersion);
+    for (auto dock = docks_.cbegin(); dock != docks_.cend(); ++dock) {
+        if (!folded.contains(dock.key()))
+            dock.value()->setHidden(isHidden[dock.key()]);
+    }
 }
 
 View3d& MainWindow::secondView()
@@ -188,6 +212,9 @@ void MainWindow::showSecondView(bool shown)
     if (!shown && secondView_ == nullptr)
         return;
     secondView().setVisible(shown);
+    // Both fit between the panels of the smallest window.
+    for (View3d* view : {view_, secondView_})
+        view->setMinimumWidth(shown ? kLeastViewWidth : kLeastViewWidthAlone);
     if (shown)
         views_->setSizes({views_->width() / 2, views_->width() / 2});
 }
@@ -210,7 +237,6 @@ void MainWindow::operate()
 void MainWindow::inspect()
 {
     arrange(docks_.keys());
-    resizeDocks({docks_[QStringLiteral("dockPlanes")], docks_[QStringLiteral("dockInspector")]}, {2, 3}, Qt::Vertical);
 }
 
 void MainWindow::compare()
@@ -225,11 +251,17 @@ void MainWindow::arrange(const QStringList& shown)
         dock.value()->setFloating(false);
         dock.value()->setVisible(shown.contains(dock.key()));
     }
+    useOwnSizes();
+}
+
+void MainWindow::useOwnSizes()
+{
     resizeDocks({docks_[QStringLiteral("dockSetup")], docks_[QStringLiteral("dockPlanes")]},
                 {kSetupWidth, kPlanesWidth}, Qt::Horizontal);
     const int bottom = height() < kLowWindow ? kBottomHeightSmall : kBottomHeight;
     resizeDocks({docks_[QStringLiteral("dockTimeline")], docks_[QStringLiteral("dockBottom")]},
                 {kTimelineHeight, bottom}, Qt::Vertical);
+    resizeDocks({docks_[QStringLiteral("dockPlanes")], docks_[QStringLiteral("dockInspector")]}, {2, 3}, Qt::Vertical);
 }
 
 void MainWindow::showInspector()
@@ -263,7 +295,8 @@ void MainWindow::restoreLayout(QSettings& settings)
 {
     const QByteArray geometry = settings.value(QStringLiteral("window/geometry")).toByteArray();
     const QByteArray state = settings.value(QStringLiteral("window/state")).toByteArray();
-    if (geometry.isEmpty() || !restoreGeometry(geometry) || !restoreState(state, kLayoutVersion)) {
+    isRestored_ = !geometry.isEmpty() && restoreGeometry(geometry) && restoreState(state, kLayoutVersion);
+    if (!isRestored_) {
         resize(kDefaultSize);
         restoreState(plainLayout_, kLayoutVersion);
     }

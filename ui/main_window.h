@@ -82,6 +82,7 @@ private:
     void arrange(const QStringList& shown);
     void foldEmpty();
     void unfold();
+    void useOwnSizes();
     void makeToolBar();
     void makeStatusBar();
     void makeViewButtons();
@@ -99,7 +100,9 @@ private:
     QHash<QString, QLabel*> status_;
     QLabel* source_;
     QByteArray plainLayout_;
-    QStringList folded_;  ///< docks that come back with a scan
+    QStringList folded_;     ///< docks that come back with a scan
+    QByteArray beforeFold_;  ///< the layout then; empty: nobody has seen it yet
+    bool isRestored_ = false;
 };
 
 }  // namespace planewright

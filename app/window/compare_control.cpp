@@ -159,16 +159,10 @@ void CompareControl::connectView()
     View3d& second = parts_.window->secondView();
     if (const auto presented = second.present(first.presented()); !presented)
         parts_.problem(tr("compare"), presented.error());
-    const auto follow = [this](View3d& from, View3d& to) {
-        if (std::exchange(isFollowing_, true))
-            return;
-        to.setCamera(from.camera());
-        isFollowing_ = false;
-    };
-    connect(&first, &View3d::cameraChanged, this, [&first, &second, follow] { follow(first, second); });
-    connect(&second, &View3d::cameraChanged, this, [&first, &second, follow] { follow(second, first); });
-    connect(&first, &View3d::cameraFitted, this, [&first, &second, follow] { follow(first, second); });
-    connect(&second, &View3d::cameraFitted, this, [&first, &second, follow] { follow(second, first); });
+    connect(&first, &View3d::cameraChanged, this, [this, &first, &second] { follow(first, second); });
+    connect(&second, &View3d::cameraChanged, this, [this, &first, &second] { follow(second, first); });
+    connect(&first, &View3d::cameraFitted, this, [this, &first, &second] { follow(first, second); });
+    connect(&second, &View3d::cameraFitted, this, [this, &first, &second] { follow(first, second); });
     connect(&first, &View3d::clipBoxChanged, this, [&first, &second] { second.setClipBox(first.scene().clipBox()); });
     connect(&second, &View3d::clicked, this, [this](const std::optional<Picked>& picked, bool /*add*/) {
         const PlaneId plane = picked ? picked->plane : kNoPlane;
@@ -182,6 +176,15 @@ void CompareControl::connectView()
     second.setLayers(parts_.layers);
     second.setTheme(follower_.theme());
     second.setClipBox(first.scene().clipBox());
+}
+
+/// The one that follows tells nobody: who has not been moved goes on fitting the scan by itself.
+void CompareControl::follow(const View3d& from, View3d& to)
+{
+    if (std::exchange(isFollowing_, true))
+        return;
+    to.setCamera(from.camera());
+    isFollowing_ = false;
 }
 
 void CompareControl::run(int choice)
@@ -202,7 +205,7 @@ void CompareControl::run(int choice)
     panel_->setProgress(0, static_cast<int>(parts_.session.history().size()));
     connectView();
     parts_.window->showSecondView(true);
-    parts_.window->secondView().setCamera(parts_.window->view().camera());
+    follow(parts_.window->view(), parts_.window->secondView());
     parts_.window->showBottomPanel(QStringLiteral("comparePanel"));
 }
 

@@ -45,6 +45,7 @@ private:
     void refreshChoices();
     void connectActions();
     void connectView();
+    void follow(const View3d& from, View3d& to);
     void run(int choice);
     void close();
     void takeGrown();

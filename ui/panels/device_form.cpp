@@ -78,6 +78,7 @@ DeviceForm::DeviceForm(QWidget* parent)
     layout->addLayout(form);
     laser_ = addAddress(form, tr("L&aser"), QStringLiteral("laser"), tr("usb:  or  tcp:192.168.0.10:10940"));
     unit_ = addAddress(form, tr("Tilt &unit"), QStringLiteral("tiltUnit"), tr("dynamixel:usb:  or  board:usb:"));
+    trouble_->setObjectName(QStringLiteral("deviceTrouble"));
     trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     form->addRow(trouble_);
     copyCure_->setObjectName(QStringLiteral("copyCure"));

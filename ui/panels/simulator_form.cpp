@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpressionValidator>
 
@@ -105,16 +106,20 @@ SimulatorForm::SimulatorForm(QWidget* parent)
     };
     addNames(scene_, sceneNames(), kScenes);
     addNames(noise_, simulationNoiseNames(), kNoises);
-    // Its numbers are to be read: where there is too little room its label goes above it.
     noise_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     addSpeeds(speed_);
     seed_->setValidator(new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,19}")), seed_));
     seed_->setToolTip(tr("The number that room and noise come from: the same number gives the same scan"));
     noise_->setToolTip(tr("Standard deviation of ranges; the pitch has 0.084°"));
     add(tr("&Scene"), scene_, QStringLiteral("scene"));
     add(tr("S&eed"), seed_, QStringLiteral("seed"));
-    add(tr("&Noise"), noise_, QStringLiteral("noise"));
+    // Its numbers are to be read in a narrow dock: its label stands above it.
+    auto* noiseLabel = new QLabel(tr("&Noise"), this);
+    noiseLabel->setBuddy(noise_);
+    form->addRow(noiseLabel);
+    noise_->setObjectName(QStringLiteral("noise"));
+    noise_->setAccessibleName(tr("Noise"));
+    form->addRow(noise_);
     firstTilt_ = addAngle(form, tr("Tilt from"), QStringLiteral("firstTilt"), -360.0, 360.0);
     lastTilt_ = addAngle(form, tr("Tilt to"), QStringLiteral("lastTilt"), -360.0, 360.0);
     tiltStep_ = addAngle(form, tr("Tilt step"), QStringLiteral("tiltStep"), -90.0, 90.0);

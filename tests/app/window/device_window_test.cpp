@@ -299,13 +299,13 @@ void DeviceWindowTest::aLaserByItsAddressTakesTheUnitAndThePlanOfTheForm()
     shown_->controllers->scan.open(rig.laser(), true);
 
     QVERIFY(comesTo(SessionState::Ready));
-    QCOMPARE(shown_->parts.session.status().plannedSteps, 34);  // 40° in steps of 1.16°
+    QCOMPARE(shown_->parts.session.status().plannedSteps, 34);  // whole steps of 1.16° in 40°
     QCOMPARE(find<QComboBox>("laser")->currentText(), rig.laser());
     QVERIFY(!find<QLabel>("notInUse")->isVisible());
     find<QDoubleSpinBox>("deviceLastTilt")->setValue(100.0);
     QVERIFY(find<QLabel>("notInUse")->isVisible());
     shown_->action("actConnect")->trigger();
-    QVERIFY(waitUntil([&] { return shown_->parts.session.status().plannedSteps == 26; }, kPatience));
+    QVERIFY(waitUntil([&] { return shown_->parts.session.status().plannedSteps == 25; }, kPatience));
     QVERIFY(!find<QLabel>("notInUse")->isVisible());
 }
 
