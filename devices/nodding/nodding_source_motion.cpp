@@ -19,6 +19,14 @@ constexpr std::chrono::seconds kFirstAngle{2};
 /// A head that creeps home looks like one at rest for a moment.
 constexpr std::chrono::milliseconds kRestAtHome{100};
 
+/// Whether a unit has started since the moment at which it had started when it was armed: its clock may be wrong by 1
+/// %, and its answer late.
+bool hasStartedAnew(std::chrono::nanoseconds before, std::chrono::nanoseconds now, std::chrono::nanoseconds clock)
+{
+    constexpr std::chrono::milliseconds kLate{200};
+    return now - before > (clock - before) / 100 + kLate;
+}
+
 }  // namespace
 
 /// A stop of motion that comes while it is armed must hold all the same: it is looked for again before anything moves.
@@ -39,22 +47,28 @@ Result<void> NoddingSource::arm(const std::stop_token& stop)
         return armed;
     isArmed_ = true;
     hasHeld_ = true;
+    startedAt_ = unit.startedAt();
     return isHeld() ? rest() : Result<void>{};
 }
 
-/// A motor that held, and has no torque now, was without power: the head may have sunk, and somebody may have his hands
-/// at it.
+/// A motor that held, and has no torque now, was without power, and so was a unit that has started anew: the head may
+/// have sunk, and somebody may have his hands at it.
 Result<void> NoddingSource::mindPower()
 {
-    if (!hasHeld_ || devices_.unit().holdsItself())
+    const TiltUnit& unit = devices_.unit();
+    const std::optional<Time> startedAt = unit.startedAt();
+    const bool isAnew = startedAt_ && startedAt && hasStartedAnew(*startedAt_, *startedAt, clock_.now());
+    if (!hasHeld_ || (unit.holdsItself() && !isAnew))
         return {};
     mustGoHome_ = true;
     if (hasPermission())
         return {};
-    return fail(ErrorCode::NeedsOperator,
-                devices_.unit().identity() +
-                    ": it has lost its power: it does not hold the head any more, which may have sunk. Check its "
-                    "supply and keep your hands away; the head then goes to level first, slowly");
+    const std::string what = isAnew
+                                 ? ": it has lost its power, or was reset: the head may have sunk"
+                                 : ": it has lost its power: it does not hold the head any more, which may have sunk";
+    return fail(ErrorCode::NeedsOperator, unit.identity() + what +
+                                              ". Check its supply and keep your hands away; the head then goes to "
+                                              "level first, slowly");
 }
 
 Result<void> NoddingSource::travelHome(const std::stop_token& stop)

@@ -48,6 +48,7 @@ struct DeviceScript {
     double sag = 0.0;  ///< how far below its goal the head comes to rest [rad]
     bool hasSamples = true;
     bool hasTorque = true;                 ///< of the unit
+    std::optional<Time> startedAt;         ///< the unit, as it says
     std::function<Result<void>()> onLook;  ///< when the laser is looked after
     std::function<Result<void>()> onArm;
     std::function<Result<void>()> onRecover;
@@ -149,6 +150,7 @@ public:
     }
 
     bool holdsItself() const override { return script_.hasTorque; }
+    std::optional<std::chrono::nanoseconds> startedAt() const override { return script_.startedAt; }
 
     double pitchAt(std::chrono::nanoseconds at) const
     {
