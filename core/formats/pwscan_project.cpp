@@ -144,6 +144,13 @@ Result<std::vector<StoredEdit>> PwscanProject::edits(int scan) const
     return readEdits(state_->database, scan, problems);
 }
 
+Result<std::vector<ScanEvent>> PwscanProject::events(int scan) const
+{
+    ProblemList problems{state_->path, 1};
+    std::vector<std::string> warnings;
+    return readEvents(state_->database, scan, problems, warnings);
+}
+
 Result<std::optional<std::string>> PwscanProject::setting(std::optional<int> scan, std::string_view key) const
 {
     auto select = state_->database.prepare("SELECT value FROM setting WHERE scan_id IS ? AND key=? LIMIT 1");

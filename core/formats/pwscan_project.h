@@ -46,6 +46,9 @@ public:
     /// The edits of a scan in their order, undone ones too; those that cannot be read are left out.
     Result<std::vector<StoredEdit>> edits(int scan) const;
 
+    /// What happened during a scan, in its order; what cannot be read is left out.
+    Result<std::vector<ScanEvent>> events(int scan) const;
+
     /// Adds that a scan is extracted with these parameters, all of it, whatever was in force before.
     Result<void> appendParameters(int scan, const Parameters& parameters);
 

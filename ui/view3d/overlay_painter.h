@@ -21,6 +21,7 @@ struct OverlayContent {
     QString hint;        ///< in the middle, where there is nothing to see
     QString tip;         ///< at the pointer
     QPoint tipPlace;
+    QSize corner;  ///< at the top right something else stands over the picture
 };
 
 QColor toQColor(Rgb colour);

@@ -35,6 +35,7 @@ private slots:
     void aNewerVersionIsReadOnly();
     void aFileThatIsHeldIsReadOnlyOrAClearError();
     void parametersOfAnotherExtractionAreStored();
+    void eventsAreThoseOfTheScan();
     void editsAreTakenWhileTheScanRuns();
 
 private:
@@ -279,6 +280,27 @@ void PwscanProjectTest::parametersOfAnotherExtractionAreStored()
     QCOMPARE(stored->size(), std::size_t(1));
     QCOMPARE(stored->front().step, 0);
     QCOMPARE(stored->front().parameters.planes.minSlices, 9);
+}
+
+void PwscanProjectTest::eventsAreThoseOfTheScan()
+{
+    auto writer = PwscanWriter::append(path_, sampleScanRecord(4));
+    QVERIFY(writer->write(ScanEvent{ScanEvent::Kind::Fault, 1, {}, "The scanner is silent."}));
+    QVERIFY(writer->write(ScanEvent{ScanEvent::Kind::Recovered, 1, {}, {}}));
+    QVERIFY(writer->close(ScanState::Complete));
+    // Somebody else's: of a kind that nobody knows, and at a step that there cannot be.
+    runSql(path_, "INSERT INTO event(scan_id, step, kind, payload) VALUES(2, 1, 'eclipse', ''), (2, -4, 'fault', '')");
+    const auto project = PwscanProject::open(path_);
+
+    const auto events = project->events(2);
+
+    QVERIFY(events);
+    QCOMPARE(events->size(), std::size_t(2));
+    QCOMPARE(events->front().kind, ScanEvent::Kind::Fault);
+    QCOMPARE(events->front().step, std::optional{1});
+    QCOMPARE(events->front().payload, std::string("The scanner is silent."));
+    QCOMPARE(events->back().kind, ScanEvent::Kind::Recovered);
+    QCOMPARE(project->events(1)->size(), std::size_t(0));
 }
 
 void PwscanProjectTest::editsAreTakenWhileTheScanRuns()
