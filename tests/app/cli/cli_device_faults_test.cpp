@@ -32,10 +32,10 @@ private slots:
 
 namespace {
 
-constexpr int kDone = 0;
-constexpr int kPartial = 4;
+constexpr int kWhole = 0;
+constexpr int kLacking = 4;
 constexpr int kNotWritten = 5;
-constexpr int kNeedsOperator = 10;
+constexpr int kWaitsForAPerson = 10;
 
 int slicesIn(const QTemporaryDir& folder)
 {
@@ -57,7 +57,7 @@ void CliDeviceFaultsTest::aScanThatLacksSlicesSaysSo()
                                       folder.path());
 
     const int missing = 34 - slicesIn(folder);
-    QVERIFY2(run.code == (missing == 0 ? kDone : kPartial), run.err.constData());
+    QVERIFY2(run.code == (missing == 0 ? kWhole : kLacking), run.err.constData());
     const QByteArray said =
         missing == 1 ? QByteArray("1 slice of the plan is missing; the scan is marked as partial")
                      : QByteArray::number(missing) + " slices of the plan are missing; the scan is marked as partial";
@@ -74,14 +74,14 @@ void CliDeviceFaultsTest::aScanThatNeverBeganLeavesNothing()
     QCOMPARE(
         runProgram({"record", "--scanner", "sim:empty?speed=0", "--slices", "3", "-o", "mine.pwscan"}, folder.path())
             .code,
-        kDone);
+        kWhole);
 
     const ProgramRun fresh = runProgram(arguments + QStringList{"room.pwscan"}, folder.path());
     const ProgramRun appended = runProgram(arguments + QStringList{"mine.pwscan", "--append"}, folder.path());
 
-    QVERIFY2(fresh.code == kNeedsOperator, fresh.err.constData());
+    QVERIFY2(fresh.code == kWaitsForAPerson, fresh.err.constData());
     QVERIFY2(fresh.err.contains("room.pwscan: no slice has come; nothing is left of this scan"), fresh.err.constData());
-    QVERIFY2(appended.code == kNeedsOperator, appended.err.constData());
+    QVERIFY2(appended.code == kWaitsForAPerson, appended.err.constData());
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"mine.pwscan"});
     const ProgramRun scans = runProgram({"info", "mine.pwscan", "--json"}, folder.path());
     QCOMPARE(QJsonDocument::fromJson(scans.out).array().size(), 1);
@@ -96,7 +96,7 @@ void CliDeviceFaultsTest::whatEndsAScanIsSaidOnce()
     const ProgramRun run = runProgram(
         {"record", "--scanner", rig.laser(), "--tilt-unit", rig.tiltUnit(), "-o", "room.pwscan"}, folder.path());
 
-    QVERIFY2(run.code == kNeedsOperator, run.err.constData());
+    QVERIFY2(run.code == kWaitsForAPerson, run.err.constData());
     QVERIFY2(run.err.count("(overload)") == 1, run.err.constData());
 }
 
