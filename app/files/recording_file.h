@@ -17,7 +17,7 @@ namespace planewright {
 
 /// What is read of a recording.
 struct RecordingChoice {
-    std::optional<int> scan;     ///< of a .pwscan; the last without a number
+    std::optional<int> scan;     ///< of a .pwscan; without a number the last with slices
     bool keepsSuspects = false;  ///< slices whose angle may be wrong are among the slices
 };
 

@@ -55,6 +55,7 @@ Result<OpenedSource> openLaserOnTiltUnit(const DeviceAddress& laser, const Noddi
             note(**opened, *scanner);
         return opened;
     };
+    devices.takeLog = [opener] { return opener->takeLog(); };
     Result<std::unique_ptr<NoddingSource>> source = NoddingSource::open(std::move(devices), setup.plan, clock, stop);
     // Of a device that is gone before the scan nothing was lost.
     if (!source && source.error().code == ErrorCode::DeviceLost)
