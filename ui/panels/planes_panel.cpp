@@ -43,7 +43,7 @@ QStringList samples()
     texts[column(PlaneColumn::Distance)] = QStringLiteral("00.00");
     texts[column(PlaneColumn::SegmentCount)] = QStringLiteral("000");
     texts[column(PlaneColumn::Size)] = QStringLiteral("12.34 × 12.34");
-    texts[column(PlaneColumn::Error)] = QStringLiteral("0.00");
+    texts[column(PlaneColumn::Error)] = QStringLiteral("00.00");
     texts[column(PlaneColumn::MadeOf)] = QStringLiteral("P03←P07+P11");
     texts[column(PlaneColumn::State)] = QStringLiteral("merged");
     return texts;
