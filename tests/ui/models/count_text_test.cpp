@@ -9,7 +9,7 @@
 
 namespace planewright {
 
-class NumberTextTest : public QObject {
+class CountTextTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -17,14 +17,14 @@ private slots:
     void withoutAPlaneThereIsNoMeanError();
 };
 
-void NumberTextTest::countsHaveTheirNoun()
+void CountTextTest::countsHaveTheirNoun()
 {
     QCOMPARE(countText(0, "run", "runs"), QStringLiteral("0 runs"));
     QCOMPARE(countText(1, "run", "runs"), QStringLiteral("1 run"));
     QCOMPARE(countText(1200, "run", "runs"), QStringLiteral("1200 runs"));
 }
 
-void NumberTextTest::withoutAPlaneThereIsNoMeanError()
+void CountTextTest::withoutAPlaneThereIsNoMeanError()
 {
     StepCounts counts;
     QCOMPARE(meanErrorText(counts), QStringLiteral("–"));
@@ -35,5 +35,5 @@ void NumberTextTest::withoutAPlaneThereIsNoMeanError()
 
 }  // namespace planewright
 
-PLANEWRIGHT_TEST(planewright::NumberTextTest)
-#include "number_text_test.moc"
+PLANEWRIGHT_TEST(planewright::CountTextTest)
+#include "count_text_test.moc"
