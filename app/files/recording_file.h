@@ -24,7 +24,8 @@ struct RecordingChoice {
 /// A recording, with what a .pwscan holds beside it.
 struct RecordingFile {
     Recording recording;
-    bool damaged = false;  ///< something had to be left out
+    bool damaged = false;   ///< something had to be left out
+    int slicesLeftOut = 0;  ///< of these, the slices, as far as they can be counted
     std::optional<ScanNotes> notes;
     std::vector<std::string> warnings;  ///< one line each, beginning with the file's name
 };

@@ -91,7 +91,10 @@ Result<ReadPwscan> readRecordingPwscan(const std::string& path, std::optional<in
     recording.description = result.notes.scan.description;
     std::size_t ranges = 0;
     const SliceListener listener{[&](ScanSlice&& slice) { recording.slices.push_back(std::move(slice)); },
-                                 [&](const std::string& problem) { problems.add(problem, 0); }};
+                                 [&](const std::string& problem) {
+                                     ++result.read.slicesLeftOut;
+                                     problems.add(problem, 0);
+                                 }};
     if (const auto read = readSlices(opened->database, result.notes.scan.id, recording.description, ranges, listener);
         !read)
         return tl::unexpected{read.error()};

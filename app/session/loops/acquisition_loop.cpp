@@ -73,9 +73,7 @@ ScanOutcome AcquisitionLoop::outcomeOfTheEnd()
 {
     const std::optional<int> planned = source_.plannedSlices();
     const bool isWhole = planned == slices_.load();
-    if (!source_.isLive())
-        return stop_.stop_requested() && !isWhole ? ScanOutcome::Partial : ScanOutcome::Complete;
-    if (planned && !stop_.stop_requested())
+    if (source_.isLive() && planned && !stop_.stop_requested())
         lost_ = std::max(lost_.load(), *planned - slices_);
     return isWhole || (!planned && !stop_.stop_requested()) ? ScanOutcome::Complete : ScanOutcome::Partial;
 }

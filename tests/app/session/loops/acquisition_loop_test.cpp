@@ -34,6 +34,7 @@ private slots:
     void aStopWhileItIsTriedAgainIsAnsweredAtOnce();
     void anInterruptedSourceIsNoFault();
     void aScannerThatLeftSlicesOutGivesAPartialScan();
+    void aRecordingThatLacksSlicesGivesAPartialScan();
     void whateverMovesComesToRestAtTheEnd();
     void whatWentWrongWithDevicesIsToldOnceASecondAndAtTheEnd();
     void whatLedToAFaultIsToldBeforeIt();
@@ -44,8 +45,8 @@ namespace {
 /// A loop with what it hands on and tells.
 struct Acquisition {
     explicit Acquisition(Recording recording, AutomaticRecovery automatic = {},
-                         FakeClock::Kind kind = FakeClock::Kind::Stands)
-        : clock(kind), source(std::move(recording)), recovery(automatic)
+                         FakeClock::Kind kind = FakeClock::Kind::Stands, bool live = true)
+        : clock(kind), source(std::move(recording), live), recovery(automatic)
     {
     }
 
@@ -340,6 +341,16 @@ void AcquisitionLoopTest::aScannerThatLeftSlicesOutGivesAPartialScan()
 
     QCOMPARE(std::get<ScanOutcome>(acquisition.items().back()), ScanOutcome::Partial);
     QCOMPARE(acquisition.loop.lost(), 3);
+}
+
+void AcquisitionLoopTest::aRecordingThatLacksSlicesGivesAPartialScan()
+{
+    Acquisition acquisition{emptySlices(6), {}, FakeClock::Kind::Stands, false};
+    acquisition.source.planned = 9;
+
+    acquisition.loop.run();
+
+    QCOMPARE(std::get<ScanOutcome>(acquisition.items().back()), ScanOutcome::Partial);
 }
 
 void AcquisitionLoopTest::whateverMovesComesToRestAtTheEnd()
