@@ -287,7 +287,7 @@ void BoardTiltStrangersTest::anglesThatComeOutOfOrderAreDropped()
     QCOMPARE(rig.tilt.health().corrupt, std::uint64_t(2));
 }
 
-/// For 80 ms nothing reaches the board; then the two heartbeats of that time do, and their replies leave one after the
+/// For 100 ms nothing reaches the board; then the two heartbeats of that time do, and their replies leave one after the
 /// other.
 void BoardTiltStrangersTest::heartbeatsThatReachTheBoardTogetherAreNoNewStart()
 {
@@ -296,7 +296,7 @@ void BoardTiltStrangersTest::heartbeatsThatReachTheBoardTogetherAreNoNewStart()
     QVERIFY(rig.tilt.connect({}));
     QVERIFY(rig.tilt.arm({}));
     const nanoseconds from = rig.clock.now() + 500ms;
-    const nanoseconds to = from + 80ms;
+    const nanoseconds to = from + 100ms;
     int late = 0;
     rig.board->answer = [&](const Frame& frame, nanoseconds now) -> std::optional<Message> {
         if (frame.type == GetStatus::kType) {
