@@ -228,7 +228,7 @@ void RecordingWindowTest::reopenChanged(const std::string& sql, SessionState sta
     shown_.reset();
     {
         auto database = SqlDatabase::open(file, SqlDatabase::Access::Write, ErrorCode::NotWritten);
-        QVERIFY(database && database->run(sql));
+        QVERIFY(database && database->run(sql.c_str()));
     }
     openWindow();
     shown_->controllers->scan.open(QString::fromStdString(file));
