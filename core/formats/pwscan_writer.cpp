@@ -4,9 +4,7 @@
 #include "core/formats/pwscan_writer.h"
 
 #include <cassert>
-#include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "core/formats/parameter_events.h"
@@ -281,15 +279,9 @@ Result<void> PwscanWriter::State::end(Result<void> done)
 Result<void> PwscanWriter::State::removeFile()
 {
     letGo();
-    for (const char* const ending : {"-wal", "-shm", ""}) {
-        std::error_code error;
-        std::filesystem::remove(path + ending, error);
-        if (error)
-            return fail(ErrorCode::NotWritten, path + ": the recording, which holds nothing, cannot be removed (" +
-                                                   error.message() + "); remove it yourself");
-    }
-    closed = true;
-    return {};
+    const Result<void> removed = removeDatabase(path);
+    closed = removed.has_value();
+    return removed;
 }
 
 int PwscanWriter::scan() const
