@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <utility>
+
 #include <QDockWidget>
 #include <QPushButton>
 #include <QtTest>
@@ -331,7 +333,7 @@ void InspectorWindowTest::theRunThatReplacesAnotherIsTold()
     const int fittedBefore = parts_->playhead.snapshot()->report.counts.fitted;
     const std::size_t steps = parts_->playhead.history().size();
     Parameters parameters = parts_->session.parameters();
-    parameters.segments.minLength *= 2.0;
+    const double gate = std::exchange(parameters.likelihood.joinGate, 6.0);
 
     QVERIFY(parts_->session.setParameters(parameters));
     shown_->action("actRerun")->trigger();
@@ -353,7 +355,7 @@ void InspectorWindowTest::theRunThatReplacesAnotherIsTold()
                                 .arg(counts.planes);
     QVERIFY2(inspector().header().contains(numbers), qPrintable(inspector().header()));
     // The same while the inspector is in front.
-    parameters.segments.minLength *= 0.5;
+    parameters.likelihood.joinGate = gate;
     QVERIFY(parts_->session.setParameters(parameters));
     shown_->action("actRerun")->trigger();
     QVERIFY(waitUntil([&] { return parts_->playhead.snapshot() != snapshot; }, kPatience));

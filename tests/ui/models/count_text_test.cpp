@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "ui/models/number_text.h"
-
 #include <QtTest>
 
 #include "tests/test_program.h"
+#include "ui/models/number_text.h"
 
 namespace planewright {
 
