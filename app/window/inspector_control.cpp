@@ -52,8 +52,11 @@ InspectorControl::InspectorControl(WindowParts& parts, HistoryControl& history)
     live_.setSingleShot(true);
     live_.setInterval(kLiveEvery);
     connect(&live_, &QTimer::timeout, this, [this] { showStep(false); });
-    connect(&parts_.playhead, &Playhead::placeChanged, this, [this] {
-        if (!live_.isActive())
+    connect(&parts_.playhead, &Playhead::placeChanged, this, [this](int place) {
+        // Where a scan begins anew nothing of the one before stays.
+        if (place < 0)
+            showStep(false);
+        else if (!live_.isActive())
             live_.start();
     });
     connect(&history_, &HistoryControl::rested, this, [this] {

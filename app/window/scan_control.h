@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <memory>
+
 #include <QObject>
 
 #include "app/window/window_parts.h"
@@ -42,10 +44,12 @@ private:
     void act(const Result<void>& result);
     void showFault(const QString& text);
     void showMotionStopped(bool isStopped);
+    void showFlawsOfFile();
     void takeState(SessionState state);
     void takeStatus(const SessionStatus& status);
     void refreshActions();
     int newestStep() const;
+    int slicesSoFar() const;
     void refreshOverlay();
     void addRecent(const QString& file);
     void showRecent();
@@ -54,6 +58,7 @@ private:
     bool startsWhenReady_ = false;
     std::optional<SimulationSetup> simulated_;
     QString seenPhase_;
+    std::shared_ptr<const Parameters> tableParameters_;  ///< that the table of planes tells of
 };
 
 }  // namespace planewright

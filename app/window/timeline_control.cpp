@@ -173,18 +173,6 @@ int TimelineControl::placeOfStep(int step) const
     return place >= 0 && history[static_cast<std::size_t>(place)]->report.step == step ? place : -1;
 }
 
-int TimelineControl::placeOfFault(int step) const
-{
-    if (step == kLastPass)
-        return placeOfStep(step);
-    const Playhead::History& history = parts_.playhead.history();
-    const int place = std::max(parts_.playhead.placeOf(step), 0);
-    // Steps that have not come yet are not lost.
-    const bool isReached = std::any_of(history.begin(), history.end(),
-                                       [step](const auto& snapshot) { return snapshot->report.step >= step; });
-    return isReached || !isGoingOn() ? place : -1;
-}
-
 /// How long it was from the slice of a place to the next. Where nobody knows, and where the scan was held, as long as
 /// a turn of the mirror.
 std::chrono::microseconds TimelineControl::timeAt(int place) const
@@ -374,7 +362,7 @@ void TimelineControl::showColumns()
             columns[static_cast<std::size_t>(place)].edits.push_back(line);
     }
     for (const auto& [step, line] : faults_) {
-        const int place = placeOfFault(step);
+        const int place = placeOfFault(parts_.playhead, step, !isGoingOn());
         if (place >= 0 && place < static_cast<int>(columns.size()))
             columns[static_cast<std::size_t>(place)].faults.push_back(line);
     }

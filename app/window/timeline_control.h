@@ -57,8 +57,6 @@ private:
     bool isHeldAtNewest() const;
     /// The place of a step, −1 for the forced last pass; −1 where there is none.
     int placeOfStep(int step) const;
-    /// The same, or of the last step before one that was lost.
-    int placeOfFault(int step) const;
     std::chrono::microseconds timeAt(int place) const;
     void showBookmarks();
     void saveBookmarks();

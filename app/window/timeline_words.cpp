@@ -3,6 +3,8 @@
 
 #include "app/window/timeline_words.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -96,6 +98,18 @@ std::vector<std::pair<int, QString>> troublesIn(std::span<const ScanEvent> event
         troubles.emplace_back(*event.step, told.isEmpty() ? line : isFault ? told : line + QStringLiteral(": ") + told);
     }
     return troubles;
+}
+
+int placeOfFault(const Playhead& playhead, int step, bool isOver)
+{
+    const Playhead::History& history = playhead.history();
+    if (history.empty())
+        return -1;
+    if (step == kLastPass)
+        return history.back()->report.step == kLastPass ? static_cast<int>(history.size()) - 1 : -1;
+    const bool isReached = std::any_of(history.begin(), history.end(),
+                                       [step](const auto& snapshot) { return snapshot->report.step >= step; });
+    return isReached || isOver ? std::max(playhead.placeOf(step), 0) : -1;
 }
 
 std::set<int> bookmarkedStepsOf(const std::string& text)

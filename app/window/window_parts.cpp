@@ -136,6 +136,12 @@ void WindowParts::showMap()
     worker.show({std::move(map), edits.inForce(), session.description(), session.parameters()});
 }
 
+const Parameters& WindowParts::extractedWith() const
+{
+    const std::vector<ExtractedStep>& steps = session.history();
+    return steps.empty() || !steps.back().parameters ? session.parameters() : *steps.back().parameters;
+}
+
 void WindowParts::log(LogSeverity severity, const QString& source, const QString& text)
 {
     if (preferences.logDetail == LogDetail::Problems && severity == LogSeverity::Info)

@@ -68,6 +68,9 @@ public:
         return worker.isBusy() || background.isBusy() || (isComparing && isComparing()) || (isTrying && isTrying());
     }
 
+    /// What the newest step was extracted with; the session's parameters without one.
+    const Parameters& extractedWith() const;
+
     /// Asks for the session's map with the edits in force.
     void showMap();
 

@@ -17,6 +17,9 @@
 
 namespace planewright {
 
+/// What keeps a recording from being changed.
+enum class ReadOnlyCause { None, NewerVersion, HeldElsewhere, NotWritable };
+
 /// A `.pwscan` whose planes are being looked at and edited: its edits and settings, each on the disk when the call
 /// returns. Slices are read with readRecordingPwscan, and recorded with PwscanWriter, which may have the same file
 /// open.
@@ -33,8 +36,9 @@ public:
     PwscanProject& operator=(PwscanProject&&) noexcept;
     ~PwscanProject();
 
-    /// Why nothing can be changed, for people; empty where it can.
+    /// Why nothing can be changed, and what to do, for people; empty where it can.
     const std::string& readOnlyBecause() const;
+    ReadOnlyCause readOnlyCause() const;
 
     /// The scans that can be used, in order of id.
     Result<std::vector<ScanRecord>> scans() const;

@@ -12,7 +12,8 @@ std::span<const TestWords> allTestWords()
     using Keys = std::array<std::string_view, 2>;
     static constexpr std::array kTestWords{
         TestWords{"points", Piece, "points", Count, Keys{"segments.min-points", ""},
-                  "How many points the piece has. By likelihood fewer do where beams are wider apart."},
+                  "How many points the piece had; those beside it may have taken some of them. By likelihood fewer do "
+                  "where beams are wider apart."},
         TestWords{"length", Piece, "length", Metre, Keys{"segments.min-length", ""},
                   "From the first point of the piece to the last."},
         TestWords{"points_of_run", Piece, "points of the run", Count, Keys{},

@@ -10,6 +10,7 @@
 
 #include <QFontMetrics>
 #include <QObject>
+#include <QPainterPath>
 
 namespace planewright {
 
@@ -129,6 +130,28 @@ void paintScaleBar(QPainter& painter, QSize size, const MapScene& scene)
                      text);
 }
 
+/// A closed lock; drawn, since few fonts have one.
+void paintLock(QPainter& painter, const QRectF& box)
+{
+    painter.save();
+    const double line = 0.11 * box.height();
+    const QRectF body(box.left() + 0.08 * box.width(), box.top() + 0.45 * box.height(), 0.84 * box.width(),
+                      0.55 * box.height());
+    const QRectF shackle(body.left() + 0.16 * body.width(), box.top() + 0.5 * line, 0.68 * body.width(),
+                         0.8 * box.height());
+    painter.setPen(QPen(Qt::white, line));
+    painter.setBrush(Qt::NoBrush);
+    QPainterPath path(QPointF(shackle.left(), body.top()));
+    path.lineTo(shackle.left(), shackle.center().y());
+    path.arcTo(shackle, 180.0, -180.0);
+    path.lineTo(shackle.right(), body.top());
+    painter.drawPath(path);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Qt::white);
+    painter.drawRoundedRect(body, line, line);
+    painter.restore();
+}
+
 /// Where the chip would reach into the corner it goes below it. Gives where it is.
 QRect paintState(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content)
 {
@@ -141,13 +164,17 @@ QRect paintState(QPainter& painter, QSize size, const MapScene& scene, const Ove
         int widest = 0;
         for (const QString& line : lines)
             widest = std::max(widest, metrics.horizontalAdvance(line));
-        chip = QRect(kMargin, top, widest + 4 * kPadding,
+        const int lock = content.locked ? metrics.ascent() + kPadding : 0;
+        chip = QRect(kMargin, top, widest + lock + 4 * kPadding,
                      static_cast<int>(lines.size()) * metrics.height() + 2 * kPadding);
         if (!content.corner.isEmpty() && chip.right() + kPadding > size.width() - content.corner.width())
             chip.moveTop(std::max(top, content.corner.height() + kPadding));
         paintPlate(painter, chip, content.stateColour, 255);
+        if (content.locked)
+            paintLock(painter, QRectF(chip.left() + 2 * kPadding, chip.top() + kPadding + 0.5 * metrics.descent(),
+                                      0.8 * metrics.ascent(), metrics.ascent()));
         painter.setPen(Qt::white);
-        painter.drawText(chip.adjusted(2 * kPadding, 0, -2 * kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft,
+        painter.drawText(chip.adjusted(2 * kPadding + lock, 0, -2 * kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft,
                          content.stateText);
         top = chip.bottom() + 5;
     }

@@ -106,6 +106,7 @@ void PwscanProjectTest::editsAreThereWhenTheFileIsOpenedAgain()
         auto project = PwscanProject::open(path_);
         QVERIFY2(project, messageOf(project).c_str());
         QCOMPARE(project->readOnlyBecause(), std::string());
+        QVERIFY(project->readOnlyCause() == ReadOnlyCause::None);
         QCOMPARE(*project->append(1, {Edit::Kind::Rename, {3}, "north wall", true}), 1);
         QCOMPARE(*project->append(1, {Edit::Kind::Hide, {3, 4}, {}, false}), 2);
     }
@@ -191,6 +192,7 @@ void PwscanProjectTest::aFileThatCannotBeWrittenIsReadOnly()
 
     QVERIFY2(project, messageOf(project).c_str());
     QVERIFY(!project->readOnlyBecause().empty());
+    QVERIFY(project->readOnlyCause() == ReadOnlyCause::NotWritable);
     QCOMPARE(project->edits(1)->size(), std::size_t(1));
     QVERIFY(project->append(1, {Edit::Kind::Delete, {4}, {}, true}).error().code == ErrorCode::NotWritten);
     QVERIFY(project->setUndone(1, true).error().code == ErrorCode::NotWritten);
@@ -243,6 +245,7 @@ void PwscanProjectTest::aNewerVersionIsReadOnly()
     QVERIFY2(project, messageOf(project).c_str());
     QCOMPARE(project->readOnlyBecause(),
              std::string("the recording is of a newer version; change it with a newer version of the program"));
+    QVERIFY(project->readOnlyCause() == ReadOnlyCause::NewerVersion);
     QVERIFY(!project->append(1, {Edit::Kind::Delete, {4}, {}, true}));
     QCOMPARE(project->scans()->size(), std::size_t(1));
     QVERIFY(readRecordingPwscan(path_));
@@ -261,6 +264,7 @@ void PwscanProjectTest::aFileThatIsHeldIsReadOnlyOrAClearError()
 
     QVERIFY2(whileWriting, messageOf(whileWriting).c_str());
     QVERIFY(whileWriting->readOnlyBecause().starts_with("another program is writing to it"));
+    QVERIFY(whileWriting->readOnlyCause() == ReadOnlyCause::HeldElsewhere);
     QVERIFY(!whileHeld);
     QVERIFY2(messageOf(whileHeld).ends_with("another program holds the file; close it there, or try again"),
              messageOf(whileHeld).c_str());

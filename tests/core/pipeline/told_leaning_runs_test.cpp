@@ -145,7 +145,7 @@ void ToldLeaningRunsTest::planesAreTakenApartForRunsThatLeanOut()
 {
     Recomputed recomputed;
     int closely = 0;
-    for (const std::uint64_t seed : {5, 18, 21, 25, 27}) {
+    for (const std::uint64_t seed : {5U, 18U, 21U, 25U, 27U}) {
         const ToldScan scan("precise", "clutter", seed);
         std::map<SegmentId, Eigen::Vector3d> remainsOf;  // by segment the normal of the plane that was taken apart last
         for (const ToldPhase& phase : scan.phases) {

@@ -9,6 +9,22 @@
 #include "tests/test_program.h"
 
 namespace planewright {
+namespace {
+
+/// χ² of a segment's distance from a plane and its slope, without what is unsure of the plane.
+double residualChi(const LineSegment& s, const LikeliestPlane& plane, double pitch, double floor)
+{
+    const Eigen::Vector3d& n = plane.normal;
+    const Eigen::Vector2d residual{n.dot(s.moments.mean) - plane.distance, n.dot(s.direction)};
+    const Eigen::Vector2d byPitch{n.dot(turned(s.moments.mean)), n.dot(turned(s.direction))};
+    Eigen::Matrix2d covariance = pitch * pitch * byPitch * byPitch.transpose();
+    const double steepness = steepnessOf(s, n);
+    covariance(0, 0) += steepness * (s.placeSigma * s.placeSigma + floor * floor);
+    covariance(1, 1) += steepness * (s.directionSigma * s.directionSigma + 16.0 * std::pow(floor / s.length(), 2));
+    return residual.dot(covariance.inverse() * residual);
+}
+
+}  // namespace
 
 /// Planes of `precise` are made, and become one, for the numbers that their segments give on another way: the whole
 /// least-squares problem with the pitch error of each slice as an unknown of its own.
@@ -19,6 +35,7 @@ private slots:
     void seedsAreAsFlatAsTold_data() { scenes(); }
     void seedsAreAsFlatAsTold();
     void pairsAreAsFlatAndParallelAsTold();
+    void thinnedPlanesScatterAsTold();
     void mergedPlanesAreOneAsTold_data() { scenes(); }
     void mergedPlanesAreOneAsTold();
 
@@ -108,6 +125,42 @@ void ToldPreciseFitsTest::pairsAreAsFlatAndParallelAsTold()
         }
     }
     QVERIFY(recomputed.counts["pair_chi2"] > 3);
+}
+
+/// The worst segments of a plane are taken out one by one until the others scatter little enough: each by its own
+/// noise, the pitch of its slice, and what real walls stray.
+void ToldPreciseFitsTest::thinnedPlanesScatterAsTold()
+{
+    Recomputed recomputed;
+    for (const char* scene : {"office", "clutter", "hall", "curved"}) {
+        const ToldScan scan("precise", scene, 3);
+        const double floor = scan.parameters.flatnessFloor();
+        for (const ToldPhase& phase : scan.phases) {
+            std::map<PlaneId, std::vector<SegmentId>> members;
+            for (const auto& plane : phase.before->planes)
+                members[plane->id] = plane->segments;
+            for (const Decision& decision : phase.decisions()) {
+                if (decision.kind != DecisionKind::Split || decision.tests.front().name != "reduced_chi2")
+                    continue;
+                std::vector<SegmentId>& all = members.at(planeOf(decision.operands[0]));
+                const PlaneSegments segments = segmentsOf(all, phase.after->segments);
+                const double pitch = phase.after->noise.pitch;
+                const LikeliestPlane plane(segments, pitch, scan.parameters.noise.systematic);
+                double chi = 0.0;
+                for (const LineSegment* s : segments)
+                    chi += residualChi(*s, plane, pitch, floor);
+                const double freedom = std::max(1.0, 2.0 * static_cast<double>(all.size()) - 3.0);
+                // One that scatters much turns with each segment that leaves, farther than once linearised it follows.
+                const Test& told = decision.tests.front();
+                if (told.value < 5.0 && allDirected(segments, phase.after->noise))
+                    QVERIFY(recomputed.agree(phase, told, chi / freedom,
+                                             1.0 + scan.parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedom),
+                                             0.02));
+                std::erase(all, segmentOf(decision.operands[1]));
+            }
+        }
+    }
+    QVERIFY(recomputed.counts["reduced_chi2"] > 50);
 }
 
 void ToldPreciseFitsTest::mergedPlanesAreOneAsTold()
