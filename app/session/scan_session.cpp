@@ -191,12 +191,12 @@ Result<void> ScanSession::rerun()
 
 Result<void> ScanSession::undoRerun()
 {
-    return parts_->exchange(parts_->former, parts_->latter);
+    return parts_->exchange(&FormerExtractions::takeBack);
 }
 
 Result<void> ScanSession::redoRerun()
 {
-    return parts_->exchange(parts_->latter, parts_->former);
+    return parts_->exchange(&FormerExtractions::makeAgain);
 }
 
 std::size_t ScanSession::rerunsToUndo() const

@@ -10,9 +10,8 @@
 #include <QDateTime>
 
 #include "app/session/loops/pwscan_recorder.h"
-#include "app/session/loops/reextraction.h"
 #include "app/session/recording_name.h"
-#include "core/params/presets.h"
+#include "app/session/session_parameters.h"
 #include "core/types/angle_text.h"
 
 namespace planewright {
@@ -26,38 +25,6 @@ constexpr AutomaticRecovery kRecovery{3, std::numeric_limits<int>::max()};
 std::string inSeconds(std::chrono::milliseconds time)
 {
     return QString::number(std::chrono::duration<double>(time).count()).toStdString() + " s";
-}
-
-/// What a recording was extracted with, or else the default method with the noise of the scanner.
-std::vector<ParametersFrom> defaultParameters(const std::string& scanner, std::vector<ParametersFrom> stored)
-{
-    if (!stored.empty())
-        return stored;
-    Parameters parameters;
-    apply(methodPresets().front(), parameters);
-    if (const Preset* sensor = sensorOfScanner(scanner))
-        apply(*sensor, parameters);
-    return {{0, parameters}};
-}
-
-/// So many extractions are kept beside the present one.
-constexpr std::size_t kMostFormer = 8;
-
-/// What a scan was extracted with.
-std::vector<ParametersFrom> parametersOf(const ScanHistory& history)
-{
-    std::vector<ParametersFrom> all;
-    const Parameters* before = nullptr;
-    int next = 0;
-    for (const ExtractedStep& step : history.steps()) {
-        const int number = step.measured ? step.measured->step : next;
-        next = number + 1;
-        if (step.parameters == nullptr || step.parameters.get() == before)
-            continue;
-        before = step.parameters.get();
-        all.push_back({all.empty() ? 0 : number, *step.parameters});
-    }
-    return all;
 }
 
 }  // namespace
@@ -212,50 +179,10 @@ void SessionParts::startScan()
     measuredDescription = pipeline->measuredDescription();
     history = ScanHistory{next->work().correctedDescription(), opened.source->plannedSlices().value_or(0)};
     former.clear();
-    latter.clear();
     shownStep = {};
     showMap();
     emit session.historyChanged(0);
     begin(std::move(next));
-}
-
-void SessionParts::startRerun()
-{
-    run.reset();
-    pipeline = nullptr;
-    rerunCancelled_ = false;
-    const ParametersFrom present{0, parameters.back().parameters};
-    auto next = std::make_unique<SessionRun>([&](const ScanEvents& events) {
-        ExtractionPlan plan{measuredDescription, {present}, options.explain};
-        return std::make_unique<Reextraction>(std::move(plan), history.measured(), events.onNews,
-                                              events.onExtractionFailed, clock);
-    });
-    rerunHistory_.emplace(next->work().correctedDescription(), history.plannedSteps());
-    begin(std::move(next));
-}
-
-Result<void> SessionParts::exchange(std::vector<ScanHistory>& from, std::vector<ScanHistory>& to)
-{
-    if (const std::string_view refusal = machine.refusal(SessionRequest::Rerun); !refusal.empty())
-        return fail(ErrorCode::Usage, std::string{refusal});
-    if (from.empty())
-        return {};
-    to.push_back(std::move(history));
-    history = std::move(from.back());
-    from.pop_back();
-    if (std::vector<ParametersFrom> its = parametersOf(history); !its.empty())
-        parameters = std::move(its);
-    storeParameters();
-    emit session.parametersChanged();
-    emit session.historyChanged(static_cast<int>(history.steps().size()));
-    showMap();
-    return {};
-}
-
-void SessionParts::cancelRerun()
-{
-    rerunCancelled_ = true;
-    run->work().abandon();
 }
 
 void SessionParts::begin(std::unique_ptr<SessionRun> next)
@@ -350,36 +277,14 @@ void SessionParts::onEnded()
     run->setParent(&session);
     run.release()->deleteLater();
     pipeline = nullptr;
-    if (rerunHistory_) {
-        if (!rerunCancelled_) {
-            former.push_back(std::exchange(history, std::move(*rerunHistory_)));
-            if (former.size() > kMostFormer)
-                former.erase(former.begin());
-            latter.clear();
-            parameters = {{0, parameters.back().parameters}};
-            storeParameters();
-            emit session.historyChanged(static_cast<int>(history.steps().size()));
-            emit session.rerunMade();
-        }
-        rerunHistory_.reset();
-    }
+    if (rerunHistory_)
+        takeRerun();
     if (isEmpty && !recordedPath_.empty())
         opened.project.reset();  // its file is gone
     else
         openRecorded();
     showMap();
     happen(isEmpty ? SessionHappening::CaughtUpEmpty : SessionHappening::CaughtUp);
-}
-
-/// What is extracted from the file from now on is what is shown.
-void SessionParts::storeParameters()
-{
-    if (!opened.project)
-        return;
-    for (const ParametersFrom& from : parameters) {
-        if (const auto stored = opened.project->appendParameters(opened.scan, from.parameters, from.step); !stored)
-            return tellFault(stored.error());
-    }
 }
 
 /// From now on edits go into the file that the scan is recorded into.
@@ -411,7 +316,6 @@ void SessionParts::forget()
     recordedPath_.clear();
     history = {};
     former.clear();
-    latter.clear();
     shownStep = {};
     showMap();
     emit session.historyChanged(0);

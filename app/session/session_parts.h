@@ -12,6 +12,7 @@
 
 #include <QTimer>
 
+#include "app/session/former_extractions.h"
 #include "app/session/idle_run.h"
 #include "app/session/scan_history.h"
 #include "app/session/scan_session.h"
@@ -30,8 +31,8 @@ struct SessionParts {
     void startScan();
     void startRerun();
     void cancelRerun();
-    /// Shows the last of some extractions, and keeps the present one with others.
-    Result<void> exchange(std::vector<ScanHistory>& from, std::vector<ScanHistory>& to);
+    /// Shows another of the kept extractions.
+    Result<void> exchange(bool (FormerExtractions::*verb)(ScanHistory&));
     void forget();
 
     // What the outside is told.
@@ -52,8 +53,7 @@ struct SessionParts {
     std::vector<ParametersFrom> parameters;  ///< of the next scan or replay; the last are those in force
     ScanDescription measuredDescription;     ///< of the slices as they were measured
     ScanHistory history;
-    std::vector<ScanHistory> former;  ///< what reruns took the place of, the last one last
-    std::vector<ScanHistory> latter;  ///< reruns that were taken back, the next to be made again last
+    FormerExtractions former;  ///< what reruns took the place of
     /// What somebody has gone back to: a step, or a place in the history.
     std::variant<std::monostate, int, std::size_t> shownStep;
     std::shared_ptr<const SessionMap> map;
@@ -70,6 +70,7 @@ private:
     void onFrame();
     void onEnded();
     void takeSteps();
+    void takeRerun();
     void storeParameters();
     void openRecorded();
     std::unique_ptr<SliceRecorder> recorder();

@@ -11,7 +11,6 @@ namespace planewright {
 
 namespace {
 
-constexpr std::string_view kBookmarksKey = "bookmarks";
 constexpr int kManySteps = 10;
 
 TimelineActions timelineActions(const WindowActions& actions)
@@ -34,6 +33,7 @@ TimelineControl::TimelineControl(WindowParts& parts, HistoryControl& history)
       parts_(parts),
       history_(history),
       player_(parts.playhead, [this](int place) { return timeAt(place); }),
+      bookmarks_(parts),
       panel_(new TimelinePanel(timelineActions(parts.window->actions())))
 {
     parts_.window->setPanel(QStringLiteral("dockTimeline"), panel_);
@@ -60,7 +60,7 @@ TimelineControl::TimelineControl(WindowParts& parts, HistoryControl& history)
     });
     connect(&parts_.session, &ScanSession::motionStoppedChanged, this, &TimelineControl::showHint);
     connect(&parts_.session, &ScanSession::projectChanged, this, &TimelineControl::takeProject);
-    connect(&parts_.session, &ScanSession::projectBegun, this, &TimelineControl::saveBookmarks);
+    connect(&parts_.session, &ScanSession::projectBegun, this, [this] { bookmarks_.save(); });
     connect(&parts_.session, &ScanSession::logLine, this,
             [this](LogLevel level, const QString& /*source*/, const QString& text) { hear(level, text); });
     takeProject();
@@ -96,7 +96,7 @@ void TimelineControl::connectActions()
     on("actPhaseForward", [this] { goByPhase(1); });
     on("actSlower", [this] { panel_->changeSpeed(-1); });
     on("actFaster", [this] { panel_->changeSpeed(1); });
-    on("actBookmark", [this, &playhead] { toggleBookmark(playhead.place()); });
+    on("actBookmark", [this, &playhead] { bookmarks_.toggle(playhead.place()); });
     on("actNextBookmark", [this] { goToNextBookmark(); });
 }
 
@@ -130,7 +130,7 @@ void TimelineControl::connectMenu()
 {
     auto* bookmark = new QAction(tr("&Bookmark here"), this);
     bookmark->setObjectName(QStringLiteral("actBookmarkHere"));
-    connect(bookmark, &QAction::triggered, this, [this] { toggleBookmark(panel_->menuPlace()); });
+    connect(bookmark, &QAction::triggered, this, [this] { bookmarks_.toggle(panel_->menuPlace()); });
     auto* save = new QAction(tr("&Export this step…"), this);
     save->setObjectName(QStringLiteral("actExportHere"));
     connect(save, &QAction::triggered, this, [this] {
@@ -162,15 +162,6 @@ bool TimelineControl::isHeldAtNewest() const
     const Playhead& playhead = parts_.playhead;
     return playhead.place() == static_cast<int>(playhead.history().size()) - 1 && !playhead.phase() &&
            parts_.session.refusal(SessionRequest::Step).isEmpty();
-}
-
-int TimelineControl::placeOfStep(int step) const
-{
-    const Playhead::History& history = parts_.playhead.history();
-    if (history.empty())
-        return -1;
-    const int place = step == kLastPass ? static_cast<int>(history.size()) - 1 : parts_.playhead.placeOf(step);
-    return place >= 0 && history[static_cast<std::size_t>(place)]->report.step == step ? place : -1;
 }
 
 /// How long it was from the slice of a place to the next. Where nobody knows, and where the scan was held, as long as
@@ -228,13 +219,10 @@ void TimelineControl::goToEvent(bool forward)
 
 void TimelineControl::goToNextBookmark()
 {
-    const std::set<int>& bookmarks = parts_.playhead.bookmarks();
-    if (bookmarks.empty()) {
+    if (const std::optional<int> next = bookmarks_.next())
+        goTo(*next);
+    else
         parts_.say(tr("There is no bookmark yet: M marks the step that is looked at."));
-        return;
-    }
-    const auto next = bookmarks.upper_bound(parts_.playhead.place());
-    goTo(next != bookmarks.end() ? *next : *bookmarks.begin());
 }
 
 void TimelineControl::goByPhase(int by)
@@ -243,58 +231,15 @@ void TimelineControl::goByPhase(int by)
     history_.goByPhase(by);
 }
 
-void TimelineControl::toggleBookmark(int place)
-{
-    const Playhead::History& history = parts_.playhead.history();
-    if (place < 0 || place >= static_cast<int>(history.size()))
-        return;
-    const int step = history[static_cast<std::size_t>(place)]->report.step;
-    if (bookmarkedSteps_.erase(step) == 0)
-        bookmarkedSteps_.insert(step);
-    parts_.playhead.toggleBookmark(place);
-    saveBookmarks();
-}
-
-void TimelineControl::saveBookmarks()
-{
-    PwscanProject* project = parts_.session.project();
-    if (project == nullptr || !project->readOnlyBecause().empty())
-        return;
-    const auto done =
-        project->setSetting(parts_.session.scanInProject(), kBookmarksKey, textOfBookmarks(bookmarkedSteps_));
-    if (!done)
-        parts_.log(LogSeverity::Warning, tr("bookmarks"), QString::fromStdString(done.error().message));
-}
-
 /// Another scan: with the bookmarks of its file, and nothing of the one before.
 void TimelineControl::takeProject()
 {
     faults_.clear();
-    bookmarkedSteps_.clear();
     if (PwscanProject* project = parts_.session.project()) {
         if (const auto events = project->events(parts_.session.scanInProject()))
             faults_ = troublesIn(*events);
-        const auto text = project->setting(parts_.session.scanInProject(), kBookmarksKey);
-        if (text && *text)
-            bookmarkedSteps_ = bookmarkedStepsOf(**text);
     }
-    showBookmarks();
-}
-
-/// Those of steps that there are by now.
-void TimelineControl::showBookmarks()
-{
-    std::set<int> wanted;
-    for (const int step : bookmarkedSteps_) {
-        if (const int place = placeOfStep(step); place >= 0)
-            wanted.insert(place);
-    }
-    const std::set<int> shown = parts_.playhead.bookmarks();
-    std::set<int> changed;
-    std::set_symmetric_difference(wanted.begin(), wanted.end(), shown.begin(), shown.end(),
-                                  std::inserter(changed, changed.end()));
-    for (const int place : changed)
-        parts_.playhead.toggleBookmark(place);
+    bookmarks_.read();
 }
 
 void TimelineControl::takeHistory()
@@ -317,7 +262,7 @@ void TimelineControl::takeHistory()
         columns_.push_back(std::move(column));
     }
     editsTaken_.reset();
-    showBookmarks();
+    bookmarks_.show();
     takeEdits();  // and shows them all
     showPlace();
 }
@@ -336,7 +281,7 @@ void TimelineControl::takeEdits()
         int place = -1;
         for (const PlaneId plane : edit.planes) {
             if (const auto life = lives.find(plane); life != lives.end())
-                place = std::max(place, placeOfStep(life->second.bornStep()));
+                place = std::max(place, placeOfStep(parts_.playhead, life->second.bornStep()));
         }
         // Planes that edits have made are not among those of the scan.
         if (place < 0)
@@ -371,26 +316,7 @@ void TimelineControl::showColumns()
 
 void TimelineControl::showHint()
 {
-    const auto words = [this] {
-        switch (parts_.session.state()) {
-            case SessionState::Empty:
-                return tr("Open a recording, or choose a source in Setup.");
-            case SessionState::Connecting:
-                return tr("The source is being opened.");
-            case SessionState::Ready:
-                return parts_.session.isMotionStopped() ? tr("Release the motion, then press F5 to scan.")
-                                                        : tr("Press F5 to scan.");
-            case SessionState::Homing:
-                return parts_.session.goesHome() ? tr("The head moves to level.")
-                                                 : tr("The scan begins when the head is at its start.");
-            case SessionState::Scanning:
-            case SessionState::Replaying:
-                return tr("The first comes with the first slice.");
-            default:
-                return QString();
-        }
-    };
-    panel_->strip().setHint(words());
+    panel_->strip().setHint(timelineHint(parts_.session));
 }
 
 void TimelineControl::showPlace()

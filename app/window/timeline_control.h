@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -12,6 +11,7 @@
 
 #include "app/window/history_control.h"
 #include "app/window/history_player.h"
+#include "app/window/timeline_bookmarks.h"
 #include "app/window/window_parts.h"
 #include "ui/panels/timeline_panel.h"
 
@@ -19,7 +19,7 @@ namespace planewright {
 
 /// The timeline and its keys: goes through the steps of a scan, plays them, finds events, keeps bookmarks.
 ///
-/// A scan that runs never waits for whoever looks back. Bookmarks are steps, and a setting of the `.pwscan`.
+/// A scan that runs never waits for whoever looks back.
 class TimelineControl : public QObject {
     Q_OBJECT
 
@@ -41,7 +41,6 @@ private:
     void goToEvent(bool forward);
     void goToNextBookmark();
     void goByPhase(int by);
-    void toggleBookmark(int place);
 
     // What there is to be shown.
     void takeHistory();
@@ -55,15 +54,12 @@ private:
 
     bool isGoingOn() const;
     bool isHeldAtNewest() const;
-    /// The place of a step, −1 for the forced last pass; −1 where there is none.
-    int placeOfStep(int step) const;
     std::chrono::microseconds timeAt(int place) const;
-    void showBookmarks();
-    void saveBookmarks();
 
     WindowParts& parts_;
     HistoryControl& history_;
     HistoryPlayer player_;
+    TimelineBookmarks bookmarks_;
     TimelinePanel* panel_;
     std::vector<TimelineColumn> columns_;          ///< as the history says
     std::shared_ptr<const Snapshot> first_;        ///< of these
@@ -71,7 +67,6 @@ private:
     /// How many there were, and how many of them in force.
     std::optional<std::pair<std::size_t, std::size_t>> editsTaken_;
     std::vector<std::pair<int, QString>> edits_;  ///< with their places
-    std::set<int> bookmarkedSteps_;
 };
 
 }  // namespace planewright

@@ -112,6 +112,36 @@ int placeOfFault(const Playhead& playhead, int step, bool isOver)
     return isReached || isOver ? std::max(playhead.placeOf(step), 0) : -1;
 }
 
+int placeOfStep(const Playhead& playhead, int step)
+{
+    const Playhead::History& history = playhead.history();
+    if (history.empty())
+        return -1;
+    const int place = step == kLastPass ? static_cast<int>(history.size()) - 1 : playhead.placeOf(step);
+    return place >= 0 && history[static_cast<std::size_t>(place)]->report.step == step ? place : -1;
+}
+
+QString timelineHint(const ScanSession& session)
+{
+    switch (session.state()) {
+        case SessionState::Empty:
+            return timelineWords("Open a recording, or choose a source in Setup.");
+        case SessionState::Connecting:
+            return timelineWords("The source is being opened.");
+        case SessionState::Ready:
+            return session.isMotionStopped() ? timelineWords("Release the motion, then press F5 to scan.")
+                                             : timelineWords("Press F5 to scan.");
+        case SessionState::Homing:
+            return session.goesHome() ? timelineWords("The head moves to level.")
+                                      : timelineWords("The scan begins when the head is at its start.");
+        case SessionState::Scanning:
+        case SessionState::Replaying:
+            return timelineWords("The first comes with the first slice.");
+        default:
+            return QString();
+    }
+}
+
 std::set<int> bookmarkedStepsOf(const std::string& text)
 {
     std::set<int> steps;

@@ -13,6 +13,7 @@
 #include <QStringList>
 
 #include "app/session/loops/snapshot_bridge.h"
+#include "app/session/scan_session.h"
 #include "core/formats/pwscan_notes.h"
 #include "core/types/edit.h"
 #include "ui/models/playhead.h"
@@ -33,6 +34,12 @@ std::vector<std::pair<int, QString>> troublesIn(std::span<const ScanEvent> event
 /// The place of a step at which something went wrong, or of the last one before it where it was lost; −1 where it has
 /// not come yet. A scan that is over has no more steps.
 int placeOfFault(const Playhead& playhead, int step, bool isOver);
+
+/// The place of a step, kLastPass for the forced last pass; −1 where there is none.
+int placeOfStep(const Playhead& playhead, int step);
+
+/// What a timeline without steps says: what comes next, or what to do.
+QString timelineHint(const ScanSession& session);
 
 /// Bookmarks as a `.pwscan` keeps them, JSON: the numbers of steps from 0, −1 for the forced last pass. A text that is
 /// no such list gives none.
