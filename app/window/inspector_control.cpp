@@ -128,7 +128,7 @@ void InspectorControl::showStep(bool byPhases)
     inspector_->setShownPhase(parts_.playhead.phase());
 }
 
-/// Clusters stand for their segments; what the map does not show, as pieces that are no segments, cannot be selected.
+/// Clusters stand for their segments; what the map does not show cannot be selected.
 void InspectorControl::select(const std::vector<Operand>& operands)
 {
     const std::shared_ptr<const Snapshot> now = parts_.playhead.snapshot();
@@ -138,6 +138,7 @@ void InspectorControl::select(const std::vector<Operand>& operands)
     const Snapshot* before = place > 0 ? parts_.playhead.history()[static_cast<std::size_t>(place) - 1].get() : nullptr;
     std::set<PlaneId> planes;
     std::set<SegmentId> segments;
+    std::set<BeamRun> pieces;
     for (const Operand& operand : operands) {
         if (const auto* plane = std::get_if<PlaneRef>(&operand))
             planes.insert(plane->id);
@@ -146,13 +147,21 @@ void InspectorControl::select(const std::vector<Operand>& operands)
         else if (const auto* cluster = std::get_if<ClusterRef>(&operand)) {
             const std::vector<SegmentId> all = segmentsOfCluster(cluster->id, before, *now);
             segments.insert(all.begin(), all.end());
+        } else if (const auto* piece = std::get_if<PieceRef>(&operand)) {
+            pieces.insert({piece->step, piece->firstBeam, piece->lastBeam});
         }
     }
     std::erase_if(planes, [this](PlaneId plane) {
         return std::none_of(parts_.shown->planes.begin(), parts_.shown->planes.end(),
                             [plane](const ShownPlane& shown) { return shown.plane->id == plane; });
     });
-    parts_.selection.select(std::move(planes), std::move(segments));
+    if (!pieces.empty()) {
+        QStringList texts;
+        for (const BeamRun& piece : pieces)
+            texts += operandText(PieceRef{piece.step, piece.firstBeam, piece.lastBeam});
+        parts_.say(tr("Step %1: %2 became no segment.").arg(stepText(pieces.begin()->step), texts.join(tr(", "))));
+    }
+    parts_.selection.select(std::move(planes), std::move(segments), std::move(pieces));
 }
 
 /// With what is selected, where that is two planes, or a segment and a plane.

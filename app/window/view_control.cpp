@@ -201,7 +201,7 @@ void ViewControl::connectSelection()
     connect(&view, &View3d::clicked, this, &ViewControl::select);
     connect(&view, &View3d::hovered, &selection, &MapSelection::hover);
     connect(&selection, &MapSelection::changed, this, [&selection, &view] {
-        view.setSelection({selection.planes(), selection.segments(), selection.hovered()});
+        view.setSelection({selection.planes(), selection.segments(), selection.pieces(), selection.hovered()});
     });
     connect(parts_.planesPanel, &PlanesPanel::zoomRequested, this, [this, &view](PlaneId plane) {
         parts_.selection.select({plane});

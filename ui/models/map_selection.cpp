@@ -51,33 +51,34 @@ bool has(const ShownMap& map, const SegmentId& segment)
 
 MapSelection::MapSelection(QObject* parent) : QObject(parent) {}
 
-void MapSelection::select(std::set<PlaneId> planes, std::set<SegmentId> segments)
+void MapSelection::select(std::set<PlaneId> planes, std::set<SegmentId> segments, std::set<BeamRun> pieces)
 {
-    if (planes == planes_ && segments == segments_)
+    if (planes == planes_ && segments == segments_ && pieces == pieces_)
         return;
     planes_ = std::move(planes);
     segments_ = std::move(segments);
+    pieces_ = std::move(pieces);
     emit changed();
 }
 
 void MapSelection::addPlane(PlaneId plane)
 {
-    select(with(planes_, plane), segments_);
+    select(with(planes_, plane), segments_, pieces_);
 }
 
 void MapSelection::togglePlane(PlaneId plane)
 {
-    select(toggled(planes_, plane), segments_);
+    select(toggled(planes_, plane), segments_, pieces_);
 }
 
 void MapSelection::addSegment(const SegmentId& segment)
 {
-    select(planes_, with(segments_, segment));
+    select(planes_, with(segments_, segment), pieces_);
 }
 
 void MapSelection::toggleSegment(const SegmentId& segment)
 {
-    select(planes_, toggled(segments_, segment));
+    select(planes_, toggled(segments_, segment), pieces_);
 }
 
 void MapSelection::selectAll(const ShownMap& map)
@@ -106,7 +107,9 @@ void MapSelection::keepWhatIsIn(const ShownMap& map)
     std::set<SegmentId> segments = segments_;
     std::erase_if(planes, [&](PlaneId plane) { return !has(map, plane); });
     std::erase_if(segments, [&](const SegmentId& segment) { return !has(map, segment); });
-    select(std::move(planes), std::move(segments));
+    std::set<BeamRun> pieces = pieces_;
+    std::erase_if(pieces, [&](const BeamRun& piece) { return piece.step > map.step; });
+    select(std::move(planes), std::move(segments), std::move(pieces));
     if (hovered_ != kNoPlane && !has(map, hovered_))
         hover(kNoPlane);
 }

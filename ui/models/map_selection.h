@@ -8,6 +8,7 @@
 
 #include <QObject>
 
+#include "ui/common/beam_run.h"
 #include "ui/common/shown_map.h"
 
 namespace planewright {
@@ -21,14 +22,16 @@ public:
 
     const std::set<PlaneId>& planes() const { return planes_; }
     const std::set<SegmentId>& segments() const { return segments_; }
+    /// Pieces of slices that were discarded.
+    const std::set<BeamRun>& pieces() const { return pieces_; }
     PlaneId hovered() const { return hovered_; }
-    bool isEmpty() const { return planes_.empty() && segments_.empty(); }
+    bool isEmpty() const { return planes_.empty() && segments_.empty() && pieces_.empty(); }
 
     /// Chooses these and nothing else.
-    void select(std::set<PlaneId> planes, std::set<SegmentId> segments = {});
-    /// The planes chosen become these, the segments stay; and the other way round.
-    void selectPlanes(std::set<PlaneId> planes) { select(std::move(planes), segments_); }
-    void selectSegments(std::set<SegmentId> segments) { select(planes_, std::move(segments)); }
+    void select(std::set<PlaneId> planes, std::set<SegmentId> segments = {}, std::set<BeamRun> pieces = {});
+    /// The planes chosen become these, all else stays; and the same of segments.
+    void selectPlanes(std::set<PlaneId> planes) { select(std::move(planes), segments_, pieces_); }
+    void selectSegments(std::set<SegmentId> segments) { select(planes_, std::move(segments), pieces_); }
     void addPlane(PlaneId plane);
     void togglePlane(PlaneId plane);
     void addSegment(const SegmentId& segment);
@@ -52,6 +55,7 @@ signals:
 private:
     std::set<PlaneId> planes_;
     std::set<SegmentId> segments_;
+    std::set<BeamRun> pieces_;
     PlaneId hovered_ = kNoPlane;
 };
 

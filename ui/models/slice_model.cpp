@@ -95,6 +95,24 @@ std::optional<int> SliceModel::rowOf(const SegmentId& segment) const
     return std::nullopt;
 }
 
+std::optional<BeamRun> SliceModel::discardedAt(int row) const
+{
+    const Row& at = rowAt(row);
+    if (at.part != SlicePart::Piece || sketch_->trace.pieces[at.number].segment >= 0)
+        return std::nullopt;
+    const TracedPiece& piece = sketch_->trace.pieces[at.number];
+    return BeamRun{sketch_->slice->step, piece.firstBeam, piece.lastBeam};
+}
+
+std::optional<int> SliceModel::rowOf(const BeamRun& discarded) const
+{
+    for (int row = 0; row < rowCount(); ++row) {
+        if (discardedAt(row) == discarded)
+            return row;
+    }
+    return std::nullopt;
+}
+
 QString SliceModel::bearings(int first, int last) const
 {
     const auto degreesOf = [&](int beam) { return angleText(sketch_->slice->bearing(static_cast<std::size_t>(beam))); };

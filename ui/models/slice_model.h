@@ -9,6 +9,7 @@
 
 #include <QAbstractTableModel>
 
+#include "ui/common/beam_run.h"
 #include "ui/common/slice_sketch.h"
 
 namespace planewright {
@@ -43,6 +44,9 @@ public:
     /// The segment of a row; nothing where it is none.
     std::optional<SegmentId> segmentAt(int row) const;
     std::optional<int> rowOf(const SegmentId& segment) const;
+    /// The piece of a row, where it was discarded; nothing of other rows.
+    std::optional<BeamRun> discardedAt(int row) const;
+    std::optional<int> rowOf(const BeamRun& discarded) const;
     /// All that a row says, in one line.
     QString sentence(int row) const;
     /// Step, pitch and counts, in one line; empty without a slice.

@@ -121,13 +121,16 @@ void SlicePanel::arrange()
 void SlicePanel::take(int row, bool add)
 {
     const auto segment = row < 0 ? std::nullopt : model_.segmentAt(row);
-    view_->setRow(segment ? -1 : row);
+    const auto discarded = row < 0 ? std::nullopt : model_.discardedAt(row);
     if (segment && add)
         selection_.toggleSegment(*segment);
     else if (segment)
         selection_.select({}, {*segment});
+    else if (discarded)
+        selection_.select({}, {}, {*discarded});
     else if (!add)
         selection_.clear();
+    view_->setRow(segment ? -1 : row);
     if (row < 0 || segment)
         return;
     const QScopedValueRollback taking(taking_, true);
@@ -142,6 +145,14 @@ void SlicePanel::takeSelection()
         if (const auto row = model_.rowOf(segment))
             rows.select(model_.index(*row, 0), model_.index(*row, kSliceColumns - 1));
     }
+    int discarded = -1;
+    for (const BeamRun& piece : selection_.pieces()) {
+        if (const auto row = model_.rowOf(piece)) {
+            rows.select(model_.index(*row, 0), model_.index(*row, kSliceColumns - 1));
+            discarded = *row;
+        }
+    }
+    view_->setRow(discarded);
     const QScopedValueRollback taking(taking_, true);
     list_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
     if (!rows.isEmpty())
@@ -154,19 +165,24 @@ void SlicePanel::giveRow()
     if (taking_)
         return;
     std::set<SegmentId> segments;
+    std::set<BeamRun> pieces;
     int other = -1;
     for (const QModelIndex& index : list_->selectionModel()->selectedRows()) {
         if (const auto segment = model_.segmentAt(index.row()))
             segments.insert(*segment);
         else
             other = index.row();
+        if (const auto discarded = model_.discardedAt(index.row()))
+            pieces.insert(*discarded);
     }
-    view_->setRow(other);
-    if (segments.empty() && other < 0)
+    if (segments.empty() && other < 0) {
+        view_->setRow(-1);
         return;
+    }
     const QScopedValueRollback taking(taking_, true);
     const QItemSelection rows = list_->selectionModel()->selection();
-    selection_.select({}, std::move(segments));
+    selection_.select({}, std::move(segments), std::move(pieces));
+    view_->setRow(other);
     list_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
 }
 

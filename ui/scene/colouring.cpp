@@ -41,6 +41,26 @@ std::string planeName(const ShownPlane& plane)
     return plane.name.empty() ? std::string{text.data()} : std::string{text.data()} + " " + plane.name;
 }
 
+/// The places of planes that are not hidden in their order; where a legend has lines for some only, the largest before
+/// the others.
+std::vector<std::size_t> largestFirst(const ShownMap& map, std::size_t most)
+{
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < map.planes.size(); ++i) {
+        if (!map.planes[i].hidden)
+            places.push_back(i);
+    }
+    if (most == 0 || places.size() + 1 <= most)
+        return places;
+    const auto areaOf = [&map](std::size_t i) {
+        const ShownPlane& plane = map.planes[i];
+        return plane.outline ? plane.outline->outline.area : 0.0;
+    };
+    std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) { return areaOf(a) > areaOf(b); });
+    std::sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(most) - 1);
+    return places;
+}
+
 }  // namespace
 
 Rgb scaleColour(double place)
@@ -142,10 +162,8 @@ std::vector<LegendEntry> Colouring::legend(std::size_t most) const
             entries.push_back({classColour(name, theme_), name});
         entries.push_back({themeColours(theme_).unfitted, "no plane"});
     } else if (by_ == ColourBy::Plane) {
-        for (std::size_t i = 0; i < map_->planes.size(); ++i) {
-            if (!map_->planes[i].hidden)
-                entries.push_back({planes_[i], planeName(map_->planes[i])});
-        }
+        for (const std::size_t i : largestFirst(*map_, most))
+            entries.push_back({planes_[i], planeName(map_->planes[i])});
         entries.push_back({themeColours(theme_).unfitted, "no plane"});
     }
     if (entries.size() > most && most > 0) {

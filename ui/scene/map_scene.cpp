@@ -145,7 +145,7 @@ void MapScene::update()
         points_.update(*map_, owners_, colouring, scaled, coloursVersion_);
         segments_.update(*map_, owners_, colouring, layers_, theme_, selection_.segments, pixelRatio_);
         planes_.update(*map_, colouring, layers_, theme_, selection_.planes, selection_.hovered, pixelRatio_);
-        marks_.update(*map_, bounds_, layers_, theme_, measured_, pixelRatio_);
+        marks_.update(*map_, bounds_, layers_, theme_, measured_, selection_.pieces, pixelRatio_);
         clip();
         const ThemeColours& colours = themeColours(theme_);
         const auto share = [](std::uint8_t channel) { return channel / 255.0; };
@@ -210,6 +210,32 @@ std::vector<SceneLabel> MapScene::labels() const
     std::stable_sort(labels.begin(), labels.end(),
                      [](const SceneLabel& a, const SceneLabel& b) { return a.seen > b.seen; });
     return labels;
+}
+
+Eigen::AlignedBox3d MapScene::selectedBounds() const
+{
+    Eigen::AlignedBox3d box;
+    const ShownMap& map = *map_;
+    for (const ShownPlane& plane : map.planes) {
+        if (!selection_.planes.contains(plane.plane->id) || !plane.outline)
+            continue;
+        for (const Outline::Polygon& part : plane.outline->outline.parts) {
+            for (const Eigen::Vector3d& corner : part.ring)
+                box.extend(corner);
+        }
+    }
+    for (const SegmentId& id : selection_.segments) {
+        const std::size_t slice = map.snapshot ? map.snapshot->segments.find(id.step) : 0;
+        if (!map.snapshot || slice >= map.snapshot->segments.slices())
+            continue;
+        box.extend(map.snapshot->segments[id].start);
+        box.extend(map.snapshot->segments[id].end);
+    }
+    for (const BeamRun& piece : selection_.pieces) {
+        for (const Eigen::Vector3d& point : pointsOf(piece, map))
+            box.extend(point);
+    }
+    return box;
 }
 
 std::vector<LegendEntry> MapScene::legend(std::size_t most) const

@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include "ui/common/beam_run.h"
 #include "ui/common/segment_owners.h"
 #include "ui/scene/camera_motion.h"
 #include "ui/scene/marks_layer.h"
@@ -27,6 +28,7 @@ namespace planewright {
 struct SceneSelection {
     std::set<PlaneId> planes;
     std::set<SegmentId> segments;
+    std::set<BeamRun> pieces = {};
     PlaneId hovered = kNoPlane;
 
     friend bool operator==(const SceneSelection&, const SceneSelection&) = default;
@@ -72,6 +74,9 @@ public:
     /// What a picture of the scan shows: all planes that are not hidden and 98 % of the segments' ends along each axis
     /// [m]. Single far echoes, as through a window, do not make the room small. Empty before the first slice.
     const Eigen::AlignedBox3d& framing() const { return framing_; }
+
+    /// Of what is selected [m]; empty without it.
+    Eigen::AlignedBox3d selectedBounds() const;
 
     /// Brings the actors up to date; without this the renderer shows what it showed before.
     void update();

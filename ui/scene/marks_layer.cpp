@@ -3,6 +3,7 @@
 
 #include "ui/scene/marks_layer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vtkProperty.h>
 
@@ -14,6 +15,7 @@ constexpr double kGridStep = 2.0;  // [m], as in Fig. 10
 constexpr double kMostGridLines = 200.0;
 constexpr double kSensorSize = 0.12;  // half a side [m]
 constexpr double kFanOpacity = 0.13;
+constexpr double kChosenPointSize = 7.0;  // [px]
 
 SceneGeometry gridGeometry(const Eigen::AlignedBox3d& bounds, Rgb colour)
 {
@@ -76,20 +78,49 @@ SceneGeometry fanGeometry(const ScanSlice& slice, const SensorModel& sensor, Rgb
     return fan;
 }
 
+/// The echoes of pieces.
+SceneGeometry piecesGeometry(const ShownMap& map, const std::set<BeamRun>& pieces, Rgb colour)
+{
+    SceneGeometry points;
+    for (const BeamRun& piece : pieces) {
+        for (const Eigen::Vector3d& point : pointsOf(piece, map))
+            points.addPoint(point, colour);
+    }
+    return points;
+}
+
 }  // namespace
+
+std::vector<Eigen::Vector3d> pointsOf(const BeamRun& piece, const ShownMap& map)
+{
+    std::vector<Eigen::Vector3d> points;
+    const auto at = std::lower_bound(map.slices.begin(), map.slices.end(), piece.step,
+                                     [](const auto& slice, int step) { return slice->step < step; });
+    if (at == map.slices.end() || (*at)->step != piece.step)
+        return points;
+    const ScanSlice& slice = **at;
+    const auto end = std::min(slice.ranges.size(), static_cast<std::size_t>(std::max(piece.lastBeam + 1, 0)));
+    for (auto beam = static_cast<std::size_t>(std::max(piece.firstBeam, 0)); beam < end; ++beam) {
+        if (map.sensor.hasEcho(slice.ranges[beam]))
+            points.push_back(toCartesian(slice.ranges[beam], slice.bearing(beam), slice.tiltAt(beam), map.sensor));
+    }
+    return points;
+}
 
 MarksLayer::MarksLayer(vtkRenderer* renderer)
 {
-    for (auto* actor : {&grid_, &sensor_, &measured_, &fan_}) {
+    for (auto* actor : {&grid_, &sensor_, &measured_, &pieces_, &fan_}) {
         *actor = makeActor();
         renderer->AddActor(*actor);
     }
     drawInFront(measured_);
+    drawInFront(pieces_);
     fan_->ForceTranslucentOn();
 }
 
 void MarksLayer::update(const ShownMap& map, const Eigen::AlignedBox3d& bounds, const LayerSettings& settings,
-                        Theme theme, const std::vector<MeasuredLine>& measured, double pixelRatio)
+                        Theme theme, const std::vector<MeasuredLine>& measured, const std::set<BeamRun>& pieces,
+                        double pixelRatio)
 {
     const ThemeColours& colours = themeColours(theme);
     const LayerStyle& style = settings[Layer::Sensor];
@@ -105,6 +136,7 @@ void MarksLayer::update(const ShownMap& map, const Eigen::AlignedBox3d& bounds, 
     for (const MeasuredLine& line : measured)
         lines.addLine(line.from, line.to, colours.selection);
     lines.give(measured_);
+    piecesGeometry(map, pieces, colours.selection).give(pieces_);
 
     grid_->SetVisibility(style.visible);
     sensor_->SetVisibility(style.visible);
@@ -113,6 +145,7 @@ void MarksLayer::update(const ShownMap& map, const Eigen::AlignedBox3d& bounds, 
     grid_->GetProperty()->SetLineWidth(static_cast<float>(style.size * pixelRatio));
     sensor_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * style.size * pixelRatio));
     measured_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * pixelRatio));
+    pieces_->GetProperty()->SetPointSize(static_cast<float>(kChosenPointSize * pixelRatio));
 }
 
 }  // namespace planewright

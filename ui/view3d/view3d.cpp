@@ -178,23 +178,7 @@ void View3d::fitAll()
 
 void View3d::fitSelection()
 {
-    Eigen::AlignedBox3d box;
-    const ShownMap& map = scene_.map();
-    for (const ShownPlane& plane : map.planes) {
-        if (!scene_.selection().planes.contains(plane.plane->id) || !plane.outline)
-            continue;
-        for (const Outline::Polygon& part : plane.outline->outline.parts) {
-            for (const Eigen::Vector3d& corner : part.ring)
-                box.extend(corner);
-        }
-    }
-    for (const SegmentId& id : scene_.selection().segments) {
-        const std::size_t slice = map.snapshot ? map.snapshot->segments.find(id.step) : 0;
-        if (!map.snapshot || slice >= map.snapshot->segments.slices())
-            continue;
-        box.extend(map.snapshot->segments[id].start);
-        box.extend(map.snapshot->segments[id].end);
-    }
+    const Eigen::AlignedBox3d box = scene_.selectedBounds();
     if (!box.isEmpty())
         setCamera(fitted(scene_.camera(), box, aspect()));
 }

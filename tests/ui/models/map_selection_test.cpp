@@ -54,10 +54,14 @@ void MapSelectionTest::planesAndSegmentsAreChosenApart()
 {
     MapSelection selection;
 
+    selection.select({}, {}, {{3, 40, 47}});
     selection.selectSegments({{3, 1}});
     selection.selectPlanes({7});
 
     QVERIFY(selection.segments().contains({3, 1}));
+    QVERIFY(selection.pieces().contains({3, 40, 47}));
+    selection.select({7});
+    QVERIFY(selection.pieces().empty());
     selection.clear();
     QVERIFY(selection.isEmpty());
 }

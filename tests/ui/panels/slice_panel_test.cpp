@@ -25,6 +25,7 @@ private slots:
     void theSketchHasAllThatIsToBeSeen();
     void aClickSelectsTheSegment();
     void aClickOnADiscardedPieceFindsItInTheList();
+    void aDiscardedPieceThatIsChosenElsewhereIsFoundInTheList();
     void aRowOfTheListSelectsItsSegment();
     void theSelectionIsMarkedInBoth();
     void theWheelZoomsToThePointer();
@@ -110,10 +111,27 @@ void SlicePanelTest::aClickOnADiscardedPieceFindsItInTheList()
 
     QTest::mouseClick(panel_->view(), Qt::LeftButton, {}, middleOf(piece));
 
-    QVERIFY(selection_.isEmpty());
+    const TracedPiece& traced = sketch_->trace.pieces[piece];
+    QVERIFY(selection_.segments().empty());
+    QVERIFY(selection_.pieces() == (std::set<BeamRun>{{62, traced.firstBeam, traced.lastBeam}}));
     const QModelIndexList rows = panel_->list()->selectionModel()->selectedRows();
     QCOMPARE(rows.size(), 1);
     QCOMPARE(std::optional<int>(rows.front().row()), panel_->model().rowOf(SlicePart::Piece, piece));
+}
+
+void SlicePanelTest::aDiscardedPieceThatIsChosenElsewhereIsFoundInTheList()
+{
+    const std::size_t piece = pieceOf(PieceFate::TooShort);
+    const TracedPiece& traced = sketch_->trace.pieces[piece];
+
+    selection_.select({}, {}, {{62, traced.firstBeam, traced.lastBeam}});
+
+    const QModelIndexList rows = panel_->list()->selectionModel()->selectedRows();
+    QCOMPARE(rows.size(), 1);
+    QCOMPARE(std::optional<int>(rows.front().row()), panel_->model().rowOf(SlicePart::Piece, piece));
+
+    selection_.select({}, {}, {{61, traced.firstBeam, traced.lastBeam}});  // of another slice
+    QVERIFY(panel_->list()->selectionModel()->selectedRows().isEmpty());
 }
 
 void SlicePanelTest::aRowOfTheListSelectsItsSegment()

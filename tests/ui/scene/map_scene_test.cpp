@@ -26,6 +26,8 @@ private slots:
     void hiddenPlanesAreNotPicked();
     void aPointIsPickedWhereItWasMeasured();
     void legendsNameWhatIsShown();
+    void aShortLegendNamesTheLargestPlanes();
+    void aPieceThatIsChosenIsWhereItsEchoesAre();
     void singleFarEchoesDoNotMakeTheRoomSmall();
     void planesThatAppearLargestAreNamedFirst();
 
@@ -198,6 +200,57 @@ void MapSceneTest::legendsNameWhatIsShown()
     scene.setLayers(byStep);
     QCOMPARE(scene.legend(100).front().text, std::string("step 137"));
     QCOMPARE(scene.legend(100).back().text, std::string("step 1"));
+}
+
+void MapSceneTest::aShortLegendNamesTheLargestPlanes()
+{
+    // Planes by their area, the largest first, worked out beside the legend.
+    auto planes = corridor_->planes;
+    std::sort(planes.begin(), planes.end(),
+              [](const auto& a, const auto& b) { return a.outline->outline.area > b.outline->outline.area; });
+    QVERIFY(planes.size() > 3);
+    auto turned = std::make_shared<ShownMap>(*corridor_);
+    std::reverse(turned->planes.begin(), turned->planes.end());
+    MapScene scene;
+    scene.setMap(turned);
+
+    const std::vector<LegendEntry> legend = scene.legend(3);
+
+    QCOMPARE(legend.size(), std::size_t(3));
+    std::set<std::string> named{legend[0].text.substr(0, 3), legend[1].text.substr(0, 3)};
+    for (const std::size_t largest : {std::size_t(0), std::size_t(1)}) {
+        const QString label = QStringLiteral("P%1").arg(planes[largest].plane->id, 2, 10, QLatin1Char('0'));
+        QVERIFY2(named.contains(label.toStdString()), qPrintable(label));
+    }
+}
+
+void MapSceneTest::aPieceThatIsChosenIsWhereItsEchoesAre()
+{
+    // A level slice at steps 3 and 5 of a laser on its pitch axis: the beam at 90° looks along y.
+    auto map = std::make_shared<ShownMap>();
+    map->sensor.pitchAxisOffset = 0.0;
+    ScanSlice slice;
+    slice.tilt = degrees(90.0);
+    slice.firstBearing = degrees(88.0);
+    slice.bearingStep = degrees(1.0);
+    slice.ranges = {2.0, 2.0, 3.0, 0.0, 2.0};
+    for (const int step : {3, 5}) {
+        slice.step = step;
+        map->slices.push_back(std::make_shared<const ScanSlice>(slice));
+    }
+    map->step = 5;
+
+    const auto points = pointsOf({5, 2, 3}, *map);
+
+    QCOMPARE(points.size(), std::size_t(1));  // the other beam has no echo
+    QVERIFY(points[0].isApprox(Eigen::Vector3d(0.0, 3.0, 0.0), 1e-9));
+    QVERIFY(pointsOf({4, 2, 3}, *map).empty());
+    QCOMPARE(pointsOf({3, -2, 40}, *map).size(), std::size_t(4));
+    MapScene scene;
+    scene.setMap(map);
+    QVERIFY(scene.selectedBounds().isEmpty());
+    scene.setSelection({.planes = {}, .segments = {}, .pieces = {{5, 2, 2}}});
+    QVERIFY(scene.selectedBounds().min().isApprox(Eigen::Vector3d(0.0, 3.0, 0.0), 1e-9));
 }
 
 void MapSceneTest::singleFarEchoesDoNotMakeTheRoomSmall()
