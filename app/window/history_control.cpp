@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/window/waiting.h"
+
 namespace planewright {
 
 namespace {
@@ -63,6 +65,10 @@ HistoryControl::HistoryControl(WindowParts& parts) : QObject(&parts), parts_(par
     connect(&parts_.session, &ScanSession::historyChanged, this, &HistoryControl::takeHistory);
     connect(&parts_.playhead, &Playhead::placeChanged, this, &HistoryControl::takePlace);
     connect(&parts_.playhead, &Playhead::phaseChanged, this, &HistoryControl::takePhase);
+    // A playhead that follows what comes never rests.
+    parts_.isMoving = [this] {
+        return rest_.isActive() && (!parts_.playhead.followsNewest() || isAtRest(parts_.session.state()));
+    };
     takeHistory();
 }
 

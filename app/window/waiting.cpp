@@ -26,6 +26,12 @@ bool waitUntil(const std::function<bool()>& holds, std::chrono::milliseconds tim
     return holds();
 }
 
+bool isAtRest(SessionState state)
+{
+    return state == SessionState::Empty || state == SessionState::Ready || state == SessionState::Review ||
+           state == SessionState::ReadOnly || state == SessionState::Paused;
+}
+
 bool isShown(const WindowParts& parts)
 {
     return parts.shown->snapshot == (parts.shownPhase ? parts.shownPhase : parts.session.map()->snapshot);
@@ -34,14 +40,7 @@ bool isShown(const WindowParts& parts)
 Result<void> waitForRest(WindowParts& parts, std::chrono::milliseconds time)
 {
     const bool rested = waitUntil(
-        [&] {
-            const SessionState state = parts.session.state();
-            const bool rests = state == SessionState::Empty || state == SessionState::Ready ||
-                               state == SessionState::Review || state == SessionState::ReadOnly ||
-                               state == SessionState::Paused;
-            return parts.fault || (rests && !parts.isAtWork() && isShown(parts));
-        },
-        time);
+        [&] { return parts.fault || (isAtRest(parts.session.state()) && !parts.isAtWork() && isShown(parts)); }, time);
     if (parts.fault)
         return tl::unexpected{*parts.fault};
     if (!rested)

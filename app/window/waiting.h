@@ -14,6 +14,9 @@ namespace planewright {
 /// Lets the program go on until something holds; false after the time.
 bool waitUntil(const std::function<bool()>& holds, std::chrono::milliseconds time);
 
+/// Whether nothing comes of a scan by itself.
+bool isAtRest(SessionState state);
+
 /// Whether the window shows what is looked at: the session's map, or it after a phase.
 bool isShown(const WindowParts& parts);
 

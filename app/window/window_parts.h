@@ -65,7 +65,8 @@ public:
     /// Something is still being worked out for what the window shows, or written.
     bool isAtWork() const
     {
-        return worker.isBusy() || background.isBusy() || (isComparing && isComparing()) || (isTrying && isTrying());
+        return worker.isBusy() || background.isBusy() || (isComparing && isComparing()) || (isTrying && isTrying()) ||
+               (isMoving && isMoving());
     }
 
     /// What the newest step was extracted with; the session's parameters without one.
@@ -93,6 +94,7 @@ public:
     BackgroundWork background;
     std::function<bool()> isComparing;  ///< of whoever shows a second map
     std::function<bool()> isTrying;     ///< of whoever looks for devices and tests them
+    std::function<bool()> isMoving;     ///< of whoever tells of steps: it waits for the playhead to rest
     /// Of whoever knows what an address needs beside it: called before it is opened.
     std::function<Result<void>(const std::string& fileOrAddress)> beforeOpen;
     /// What the window shows; never null.

@@ -325,7 +325,10 @@ QString phaseTitle(Phase phase, std::string_view pass)
 QString phaseResult(Phase phase, const StepCounts& counts, std::span<const Decision> decisions)
 {
     if (phase == Phase::Extract) {
-        const QString segments = QStringLiteral("%1 segments in %2 points").arg(counts.segments).arg(counts.returns);
+        const QString segments =
+            QStringLiteral("%1 in %2")
+                .arg(countText(counts.segments, QStringLiteral("segment"), QStringLiteral("segments")),
+                     countText(counts.returns, QStringLiteral("return"), QStringLiteral("returns")));
         return decisions.empty() ? segments : segments + QStringLiteral(", %1 discarded").arg(decisions.size());
     }
     Tally tally;

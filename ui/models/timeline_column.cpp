@@ -106,7 +106,7 @@ QString timelineTip(const TimelineColumn& column, bool bookmarked, int planned)
                                      : timelineWords("Step %1").arg(column.step + 1)) +
                         QStringLiteral(", φ %1°").arg(angleText(column.tilt)));
     if (column.step >= 0)
-        lines.push_back(counted(column.points, "1 point", "%1 points") + QStringLiteral(", ") +
+        lines.push_back(counted(column.points, "1 return", "%1 returns") + QStringLiteral(", ") +
                         counted(column.segments, "1 segment", "%1 segments"));
     const int more = column.planes - column.planesBefore;
     lines.push_back(counted(column.planes, "1 plane", "%1 planes") +

@@ -86,7 +86,7 @@ QString timelineLaneName(TimelineLane lane)
         case TimelineLane::Ruler:
             return TimelineStrip::tr("step");
         case TimelineLane::PointCount:
-            return TimelineStrip::tr("points");
+            return TimelineStrip::tr("returns");
         case TimelineLane::SegmentCount:
             return TimelineStrip::tr("segments");
         case TimelineLane::Fits:

@@ -4,9 +4,11 @@
 #include <utility>
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QPushButton>
 #include <QtTest>
 
+#include "app/window/script_runner.h"
 #include "app/window/waiting.h"
 #include "tests/app/window/shown_window.h"
 #include "tests/test_program.h"
@@ -25,8 +27,10 @@ private slots:
     void itIsInTheInspectLayoutAndFits();
     void withoutAScanItSaysWhatToDo();
     void itTellsOfTheStepAtThePlayhead();
+    void aScriptGoesOnWhenTheStepIsTold();
     void nothingIsWorkedOutWhileItIsHidden();
     void aRowSelectsItsOperands();
+    void aDiscardedPieceIsShown();
     void aParameterIsShownInSetup();
     void phasesArePlayedOneByOne();
     void whyNotTakesTheSelection();
@@ -163,6 +167,21 @@ void InspectorWindowTest::itTellsOfTheStepAtThePlayhead()
     QVERIFY(waitUntil([&] { return model.rowCount() > 3; }, kPatience));
 }
 
+void InspectorWindowTest::aScriptGoesOnWhenTheStepIsTold()
+{
+    scanAndInspect();
+    QFile script(folder_.filePath("goto.ndjson"));
+    QVERIFY(script.open(QIODevice::WriteOnly));
+    script.write(R"({"do":"goto","step":69})");
+    script.close();
+    ScriptRunner runner(*parts_, shown_->controllers->scan);
+
+    QVERIFY(runner.run(script.fileName()));
+
+    QVERIFY2(inspector().header().startsWith("Step 70 of"), qPrintable(inspector().header()));
+    QVERIFY(inspector().model().step()->phased != nullptr);
+}
+
 void InspectorWindowTest::nothingIsWorkedOutWhileItIsHidden()
 {
     shown_->action("actLayoutOperate")->trigger();
@@ -218,6 +237,46 @@ void InspectorWindowTest::aRowSelectsItsOperands()
     }
     QVERIFY(assignments > 0);
     QVERIFY(clusters > 0);
+}
+
+void InspectorWindowTest::aDiscardedPieceIsShown()
+{
+    scanOffice();
+    const Playhead::History& history = parts_->playhead.history();
+    const auto pieceIn = [](const Decision& decision) {
+        return decision.operands.empty() ? nullptr : std::get_if<PieceRef>(&decision.operands.front());
+    };
+    int place = 20;
+    while (place < static_cast<int>(history.size()) &&
+           std::none_of(history[static_cast<std::size_t>(place)]->report.decisions.begin(),
+                        history[static_cast<std::size_t>(place)]->report.decisions.end(), pieceIn))
+        ++place;
+    QVERIFY(goTo(place));
+    const DecisionsModel& model = inspector().model();
+    QVERIFY(waitUntil(
+        [&] { return model.step() && model.step()->snapshot == parts_->playhead.snapshot() && model.step()->phased; },
+        kPatience));
+    const QModelIndex extract = model.index(0, 0);
+    int row = 0;
+    while (row < model.rowCount(extract) && pieceIn(*model.decisionAt(model.index(row, 0, extract))) == nullptr)
+        ++row;
+    QVERIFY(row < model.rowCount(extract));
+    const PieceRef piece = *pieceIn(*model.decisionAt(model.index(row, 0, extract)));
+    parts_->selection.select({0});
+
+    inspector().tree()->setCurrentIndex(model.index(row, 0, extract));
+
+    QVERIFY(parts_->selection.planes().empty());
+    QVERIFY(parts_->selection.pieces() == (std::set<BeamRun>{{piece.step, piece.firstBeam, piece.lastBeam}}));
+    QVERIFY(parts_->window->view().scene().selection().pieces == parts_->selection.pieces());
+    const auto points = pointsOf(*parts_->selection.pieces().begin(), *parts_->shown);
+    QVERIFY(!points.empty());
+    QVERIFY(parts_->window->view().scene().selectedBounds().contains(points.front()));
+    const QString said = parts_->window->findChild<QLabel*>("stMessage")->text();
+    QVERIFY2(said.startsWith(QStringLiteral("Step %1: beam").arg(place + 1)), qPrintable(said));
+    // Without the slice there is nothing to be shown.
+    QVERIFY(goTo(place - 1));
+    QVERIFY(parts_->selection.isEmpty());
 }
 
 void InspectorWindowTest::aParameterIsShownInSetup()

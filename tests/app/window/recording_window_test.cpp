@@ -89,14 +89,22 @@ void RecordingWindowTest::editsMadeWhileItScansAreInTheFile()
 {
     record(folder_->path());
     WindowParts& parts = shown_->parts;
-    shown_->controllers->scan.open("sim:corridor?seed=7&speed=0.5", true);
-    QVERIFY(waitUntil([&] { return !parts.shown->planes.empty(); }, kPatience));
+    shown_->controllers->scan.open("sim:corridor?seed=7&speed=0.1", true);
+    QVERIFY(waitUntil([&] { return parts.session.state() == SessionState::Scanning; }, kPatience));
+    // Held, it is not over before the edit, however slow the machine is.
+    shown_->action("actPause")->trigger();
+    while (parts.shown->planes.empty()) {
+        const std::size_t before = parts.playhead.history().size();
+        QVERIFY(parts.session.step());
+        QVERIFY(waitUntil([&] { return parts.playhead.history().size() > before; }, kPatience));
+        QVERIFY(waitUntil([&] { return !parts.isAtWork() && isShown(parts); }, kPatience));
+    }
     const std::string file = parts.session.status().recording;
 
     parts.selection.select({parts.shown->planes.front().plane->id});
     shown_->action("actHide")->trigger();
 
-    QCOMPARE(parts.session.state(), SessionState::Scanning);
+    QCOMPARE(parts.session.state(), SessionState::Paused);
     const auto meanwhile = loadRecordingFile(file);
     QVERIFY(meanwhile);
     QCOMPARE(meanwhile->notes->edits.size(), std::size_t(1));

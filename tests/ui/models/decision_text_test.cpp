@@ -305,8 +305,8 @@ void DecisionTextTest::phasesTellWhatTheyGave()
         {Phase::Remaining, Kind::Reject, {SegmentId{1, 3}}, {}, {}}};
 
     const std::vector<Decision> discarded{{Phase::Extract, Kind::Reject, {PieceRef{1, 40, 41}}, {}, {}}};
-    QCOMPARE(phaseResult(Phase::Extract, counts, {}), QStringLiteral("12 segments in 689 points"));
-    QCOMPARE(phaseResult(Phase::Extract, counts, discarded), QStringLiteral("12 segments in 689 points, 1 discarded"));
+    QCOMPARE(phaseResult(Phase::Extract, counts, {}), QStringLiteral("12 segments in 689 returns"));
+    QCOMPARE(phaseResult(Phase::Extract, counts, discarded), QStringLiteral("12 segments in 689 returns, 1 discarded"));
     QCOMPARE(phaseResult(Phase::Remaining, counts, decisions), QStringLiteral("2 assigned, 1 fit none"));
     QCOMPARE(phaseResult(Phase::SplitMerge, counts, {}), QStringLiteral("nothing"));
     QCOMPARE(phaseTitle(Phase::SplitMerge, {}), QStringLiteral("Split and merge"));

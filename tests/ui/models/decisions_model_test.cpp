@@ -93,7 +93,7 @@ void DecisionsModelTest::phasesThatAreNotDueSayWhenTheyAre()
     QStringList rows;
     for (int row = 0; row < model.rowCount(); ++row)
         rows << model.index(row, 0).data().toString();
-    QCOMPARE(rows, (QStringList{"Extract segments  2 segments in 700 points",
+    QCOMPARE(rows, (QStringList{"Extract segments  2 segments in 700 returns",
                                 "Assign to planes  1 assigned, 1 fit none  1.1 ms", "Cluster  1 to clusters",
                                 "Fit planes: next at step 65", "Split and merge: next at step 70",
                                 "Fit remaining: next at step 65"}));
@@ -160,7 +160,7 @@ void DecisionsModelTest::rowsAreCopiedWithTheirConditions()
     const QString text = model.rowsAsText({model.index(0, 0), model.index(0, 0, assign), model.index(1, 0, assign)});
 
     QCOMPARE(text.split('\n'), (QStringList{"Step\tPhase\tDecision\tCondition\tValue\tComparison\tLimit\tUnit\tHolds",
-                                            "64\tExtract segments\t2 segments in 700 points\t\t\t\t\t\t",
+                                            "64\tExtract segments\t2 segments in 700 returns\t\t\t\t\t\t",
                                             "64\tAssign to planes\tseg 64.0 → P12\tD\t0.012\t<\t0.050\tm\tyes",
                                             "64\tAssign to planes\tseg 64.0 → P12\t|n·δ|\t0.03\t<\t0.10\t\tyes",
                                             "64\tAssign to planes\tseg 64.1 fits no plane\t\t\t\t\t\t", ""}));

@@ -167,7 +167,7 @@ void TimelineColumnTest::tipsCountStepsFromOne()
     column.faults = QStringList{QStringLiteral("step 62 was lost")};
 
     QCOMPARE(timelineTip(column, true, 137),
-             QStringLiteral("Step 63 of 137, φ 81.9°\n331 points, 1 segment\n9 planes (+1)\n1 plane fitted\n2 splits\n"
+             QStringLiteral("Step 63 of 137, φ 81.9°\n331 returns, 1 segment\n9 planes (+1)\n1 plane fitted\n2 splits\n"
                             "▲ step 62 was lost\nBookmark"));
     column.planes = 6;
     QVERIFY(timelineTip(column, false, 0).startsWith("Step 63, φ"));
