@@ -39,6 +39,9 @@ Result<void> ScanSession::open(const std::string& fileOrAddress)
     const Result<SourceAddress> address = parseSourceAddress(fileOrAddress);
     if (!address)
         return tl::unexpected{address.error()};
+    // Devices serve one program at a time, and those that are open may be the ones that are named.
+    if (address->kind == SourceAddress::Kind::Laser && refusal(SessionRequest::Open).isEmpty())
+        parts_->letGo();
     if (Result<void> allowed = parts_->request(SessionRequest::Open); !allowed)
         return allowed;
     parts_->openText = fileOrAddress;

@@ -41,7 +41,8 @@ public:
     // Verbs.
 
     /// Opens `sim:SCENE?seed=N&speed=X`, or the address of a laser: Connecting → Ready. `replay:FILE?speed=X`, or a
-    /// plain file as fast as possible: Connecting → Replaying → Review. What was open stays until the new one is there.
+    /// plain file as fast as possible: Connecting → Replaying → Review. What was open stays until the new one is there;
+    /// but for a laser, devices that are open are closed first, and only the scan that was taken with them stays.
     Result<void> open(const std::string& fileOrAddress);
     /// Ends opening, a replay or a rerun.
     Result<void> cancel();

@@ -13,6 +13,7 @@ namespace {
 constexpr std::string_view kBusy = "A scan is running. Finish it or close it first.";
 constexpr std::string_view kConnecting = "Something is being opened. Wait for it, or cancel.";
 constexpr std::string_view kNoScan = "There is no scan yet. Open a recording, or connect a scanner and start.";
+constexpr std::string_view kNoScanner = "No scanner is connected. Connect one, or open a recording.";
 constexpr std::string_view kNotRunning = "No scan is running. Start one first.";
 constexpr std::string_view kFinishing = "The last slices are being worked in. Wait until that is done.";
 constexpr std::string_view kRerunning = "The scan is being extracted once more. Wait for that, or cancel it.";
@@ -47,10 +48,12 @@ std::string_view SessionMachine::refusal(SessionRequest request) const
         case Request::Start:
             if (motionStopped_ && live_ && (is(State::Ready) || is(State::Review)))
                 return kMotionStopped;
+            if (letGo_ && is(State::Review))
+                return kNoScanner;
             if (is(State::Ready) || is(State::Review) || is(State::ReadOnly))
                 return {};
             if (is(State::Empty))
-                return "No scanner is connected. Connect one, or open a recording.";
+                return kNoScanner;
             if (is(State::Connecting))
                 return kConnecting;
             if (is(State::Paused))
@@ -113,6 +116,8 @@ std::string_view SessionMachine::refusal(SessionRequest request) const
                 return kConnecting;
             if (is(State::Finishing))
                 return kFinishing;
+            if (letGo_)
+                return kNoScanner;
             return is(State::Fault) ? kFault : std::string_view{};
 
         case Request::Rerun:
@@ -234,6 +239,7 @@ void SessionMachine::happen(SessionHappening happening)
                 break;
             live_ = happening == SessionHappening::Connected;
             readOnly_ = happening == SessionHappening::LoadedReadOnly;
+            letGo_ = false;
             begun_ = false;
             scans_ = false;
             state_ = live_ ? State::Ready : State::Replaying;
@@ -273,6 +279,14 @@ void SessionMachine::happen(SessionHappening happening)
                 break;
             rerunning_ = false;
             state_ = happening == SessionHappening::CaughtUpEmpty && live_ ? State::Ready : resting();
+            break;
+        case SessionHappening::LetGo:
+            if (!isIdle() || goesHome_)
+                break;
+            live_ = false;
+            letGo_ = is(State::Review);
+            if (is(State::Ready))
+                state_ = State::Empty;
             break;
     }
 }

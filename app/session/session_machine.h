@@ -68,8 +68,9 @@ enum class SessionHappening {
     SourceEnded,       ///< the source gives no more slices
     CaughtUp,          ///< all that came is worked in, and its recording closed
     CaughtUpEmpty,     ///< the same, where nothing came
+    LetGo,             ///< the scanner has been closed; what was scanned with it stays
 };
-inline constexpr std::size_t kSessionHappenings = 11;
+inline constexpr std::size_t kSessionHappenings = 12;
 
 /// Which state follows which: no thread, no clock, nothing but the rules.
 class SessionMachine {
@@ -116,6 +117,7 @@ private:
     SessionState state_ = SessionState::Empty;
     SessionState before_ = SessionState::Empty;  ///< where a failure to open leads back to
     bool live_ = false;                          ///< the source is a scanner
+    bool letGo_ = false;                         ///< in Review: the scanner that the scan was taken with is closed
     bool readOnly_ = false;                      ///< the file that was loaded cannot be changed
     bool begun_ = false;                         ///< the scanner has come to where the scan begins
     bool rerunning_ = false;                     ///< what is worked in are the slices that were there

@@ -322,6 +322,17 @@ void SessionParts::forget()
     emit session.projectChanged();
 }
 
+void SessionParts::letGo()
+{
+    if (!machine.isIdle() || machine.goesHome() || !opened.source || opened.source->health().empty())
+        return;
+    machine.happen(SessionHappening::LetGo);
+    idle.reset();
+    opened.source.reset();
+    if (machine.state() == SessionState::Empty)
+        forget();
+}
+
 SessionStatus SessionParts::status() const
 {
     const PipelineStatus now = run ? run->work().status() : lastStatus_;

@@ -34,6 +34,8 @@ struct SessionParts {
     /// Shows another of the kept extractions.
     Result<void> exchange(bool (FormerExtractions::*verb)(ScanHistory&));
     void forget();
+    /// Closes devices between scans, if some are open; what was scanned with them stays.
+    void letGo();
 
     // What the outside is told.
     void tellState();

@@ -28,6 +28,7 @@ private slots:
     void theHeadGoesHomeBetweenScans();
     void anEmptyScanLeadsBackToReady();
     void aRerunLeavesNothingRecording();
+    void aScannerThatIsLetGoLeavesItsScan();
     void randomWalksKeepTheRules_data();
     void randomWalksKeepTheRules();
 };
@@ -255,6 +256,32 @@ void SessionMachineTest::anEmptyScanLeadsBackToReady()
              State::Ready);
 }
 
+void SessionMachineTest::aScannerThatIsLetGoLeavesItsScan()
+{
+    QCOMPARE(after(Request::Open, Happening::Connected, Happening::LetGo).state(), State::Empty);
+    QCOMPARE(scanning().state(), after(Request::Open, Happening::Connected, Request::Start, Happening::Begun,
+                                       Happening::LetGo)
+                                     .state());  // not while it scans
+
+    SessionMachine machine = after(Request::Open, Happening::Connected, Request::Start, Happening::Begun,
+                                   Happening::SourceEnded, Happening::CaughtUp, Happening::LetGo);
+    QCOMPARE(machine.state(), State::Review);
+    QVERIFY(machine.hasScan());
+    QVERIFY(!machine.isLive());
+    for (const Request request : {Request::Start, Request::SetSpeed, Request::GoHome})
+        QVERIFY(machine.refusal(request).starts_with("No scanner is connected."));
+    QVERIFY(machine.refusal(Request::Rerun).empty());
+
+    // Where the next one does not come, the scan is still there; where it comes, everything is as ever.
+    QVERIFY(machine.request(Request::Open));
+    machine.happen(Happening::LoadingFailed);
+    QCOMPARE(machine.state(), State::Review);
+    QVERIFY(!machine.refusal(Request::Start).empty());
+    QVERIFY(machine.request(Request::Open));
+    machine.happen(Happening::Connected);
+    QVERIFY(machine.request(Request::Start));
+}
+
 void SessionMachineTest::aRerunLeavesNothingRecording()
 {
     SessionMachine machine = scanning();
@@ -304,7 +331,11 @@ void SessionMachineTest::randomWalksKeepTheRules()
                 QVERIFY(why.ends_with('.'));
             }
         } else {
-            machine.happen(static_cast<Happening>(random() % kSessionHappenings));
+            const auto happening = static_cast<Happening>(random() % kSessionHappenings);
+            // Nor is a scanner let go as often as the rest.
+            if (happening == Happening::LetGo && random() % 50 != 0)
+                continue;
+            machine.happen(happening);
         }
         if (machine.state() != before)
             left.insert(before);

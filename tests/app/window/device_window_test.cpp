@@ -33,6 +33,7 @@ private slots:
     void whatIsSetUpIsThereAfterTheNextStart();
     void aLaserByItsAddressNeedsAChosenTiltUnit();
     void aLaserByItsAddressTakesTheUnitAndThePlanOfTheForm();
+    void aScanStaysWhereItsScannerDoesNotComeAgain();
     void theMenuDoesWhatTheButtonsDo();
     void whoHasAScannerIsShownTheForm();
 
@@ -307,6 +308,31 @@ void DeviceWindowTest::aLaserByItsAddressTakesTheUnitAndThePlanOfTheForm()
     shown_->action("actConnect")->trigger();
     QVERIFY(waitUntil([&] { return shown_->parts.session.status().plannedSteps == 25; }, kPatience));
     QVERIFY(!find<QLabel>("notInUse")->isVisible());
+}
+
+void DeviceWindowTest::aScanStaysWhereItsScannerDoesNotComeAgain()
+{
+    auto rig = std::make_unique<EmulatedRigProcess>(QStringList{"--laser", "tcp:0", "--tilt", "pty"});
+    QVERIFY2(rig->isServing(), rig->error().constData());
+    choose(rig->laser(), rig->tiltUnit());
+    find<QPushButton>("openSource")->click();
+    QVERIFY(comesTo(SessionState::Ready));
+    shown_->action("actStart")->trigger();
+    QVERIFY(comesTo(SessionState::Review));
+    const auto snapshot = shown_->parts.session.map()->snapshot;
+    const std::size_t slices = shown_->parts.session.measuredSlices().size();
+    QVERIFY(slices > 0);
+    rig.reset();
+
+    shown_->action("actConnect")->trigger();
+
+    QVERIFY(waitUntil([&] { return shown_->parts.fault.has_value(); }, kPatience));
+    QVERIFY(comesTo(SessionState::Review));
+    QCOMPARE(shown_->parts.session.map()->snapshot, snapshot);
+    QCOMPARE(shown_->parts.session.measuredSlices().size(), slices);
+    QVERIFY(!shown_->action("actStart")->isEnabled());
+    QVERIFY(shown_->action("actRerun")->isEnabled());
+    QVERIFY(shown_->parts.session.health().empty());
 }
 
 void DeviceWindowTest::theMenuDoesWhatTheButtonsDo()
