@@ -4,7 +4,10 @@
 // The window's tool bar, status bar, buttons over the view and numbered menus.
 
 #include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
 #include <QStatusBar>
+#include <QStyle>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -29,6 +32,26 @@ public:
         event->accept();
         return true;
     }
+};
+
+/// A line that ends in "…" where there is no room for all of it.
+class ElidedLabel : public QLabel {
+public:
+    QSize minimumSizeHint() const override { return {kNarrowestLabel, QLabel::minimumSizeHint().height()}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override
+    {
+        QFrame::paintEvent(event);
+        QPainter painter(this);
+        const QRect inside = contentsRect();
+        style()->drawItemText(&painter, inside, static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter), palette(),
+                              isEnabled(), fontMetrics().elidedText(text(), Qt::ElideRight, inside.width()),
+                              foregroundRole());
+    }
+
+private:
+    static constexpr int kNarrowestLabel = 40;  // [px]
 };
 
 }  // namespace
@@ -86,11 +109,12 @@ void MainWindow::makeToolBar()
 void MainWindow::makeStatusBar()
 {
     for (const char* name : {"stDevice", "stHealth", "stLoss", "stQueue", "stStep", "stRec", "stCoord", "stMessage"}) {
-        auto* label = new QLabel;
+        const bool message = QLatin1String(name) == QLatin1String("stMessage");
+        const bool canBeLong = message || QLatin1String(name) == QLatin1String("stHealth");
+        QLabel* label = canBeLong ? new ElidedLabel : new QLabel;
         label->setObjectName(QLatin1String(name));
         label->setContentsMargins(6, 0, 6, 0);
         label->setTextFormat(Qt::PlainText);
-        const bool message = QLatin1String(name) == QLatin1String("stMessage");
         statusBar()->addWidget(label, message ? 1 : 0);
         status_[QLatin1String(name)] = label;
     }

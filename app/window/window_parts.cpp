@@ -158,7 +158,7 @@ void WindowParts::problem(const QString& source, const Error& error)
 
 void WindowParts::say(const QString& text)
 {
-    window->setStatus(QStringLiteral("stMessage"), text);
+    window->setStatus(QStringLiteral("stMessage"), text, text);
 }
 
 }  // namespace planewright

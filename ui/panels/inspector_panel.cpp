@@ -55,7 +55,7 @@ QString headerText(const InspectedStep& step)
                          countText(counts.segments, QObject::tr("segment"), QObject::tr("segments")))
                     .arg(counts.assigned)
                     .arg(counts.clustered);
-    text += QObject::tr("<br>So far %1: %2 fitted, %3 unfitted; %4, mean E %5")
+    text += QObject::tr("<br>So far %1: %2 fitted, %3 unfitted; %4, mean&nbsp;E&nbsp;%5")
                 .arg(countText(counts.fitted + counts.unfitted, QObject::tr("segment"), QObject::tr("segments")))
                 .arg(counts.fitted)
                 .arg(counts.unfitted)

@@ -36,14 +36,13 @@ QPoint toPixels(const Eigen::Vector3d& projected, QSize size)
             static_cast<int>(std::lround(size.height() / 2.0 - projected.y() * size.height()))};
 }
 
-/// Labels that would lie over one drawn before are left out, those of selected planes last.
-void paintLabels(QPainter& painter, QSize size, const MapScene& scene)
+/// Labels that would lie over one drawn before, or over what is taken, are left out, those of selected planes last.
+void paintLabels(QPainter& painter, QSize size, const MapScene& scene, std::vector<QRect> taken)
 {
     const ThemeColours& colours = themeColours(scene.theme());
     const QFontMetrics metrics(painter.font());
     std::vector<SceneLabel> labels = scene.labels();
     std::stable_partition(labels.begin(), labels.end(), [](const SceneLabel& label) { return label.selected; });
-    std::vector<QRect> taken;
     const QRect picture(QPoint(0, 0), size);
     for (const SceneLabel& label : labels) {
         const Eigen::Vector3d place = projected(scene.camera(), label.place);
@@ -71,18 +70,18 @@ void paintLabels(QPainter& painter, QSize size, const MapScene& scene)
 }
 
 /// As many lines as there is room for between a top and the bottom, the last of them for those that there is none for.
-/// The chip may reach above it.
-void paintLegend(QPainter& painter, QSize size, const MapScene& scene, int top, const QRect& chip)
+/// The chip may reach above it. Gives where it is.
+QRect paintLegend(QPainter& painter, QSize size, const MapScene& scene, int top, const QRect& chip)
 {
     const ThemeColours& colours = themeColours(scene.theme());
     const QFontMetrics metrics(painter.font());
     const int line = metrics.height() + 2;
     const int most = (size.height() - kMargin - top - 2 * kPadding) / line - 1;
     if (!scene.map().snapshot || most < kFewestLegendLines)
-        return;
+        return {};
     const std::vector<LegendEntry> entries = scene.legend(std::min(kMostLegendLines, static_cast<std::size_t>(most)));
     if (entries.empty())
-        return;
+        return {};
     const QString title =
         QObject::tr("Colour by %1")
             .arg(QString::fromUtf8(kColourByNames[static_cast<std::size_t>(scene.layers().colourBy)].data()));
@@ -91,10 +90,8 @@ void paintLegend(QPainter& painter, QSize size, const MapScene& scene, int top, 
         width = std::max(width, metrics.horizontalAdvance(QString::fromStdString(entry.text)) + 20);
     QRect plate(0, 0, width + 2 * kPadding, line * (static_cast<int>(entries.size()) + 1) + 2 * kPadding);
     plate.moveBottomRight(QPoint(size.width() - kMargin, size.height() - kMargin));
-    if (plate.intersects(chip)) {
-        paintLegend(painter, size, scene, chip.bottom() + kPadding, {});
-        return;
-    }
+    if (plate.intersects(chip))
+        return paintLegend(painter, size, scene, chip.bottom() + kPadding, {});
     paintPlate(painter, plate, toQColor(colours.background));
     painter.setPen(toQColor(colours.text));
     QRect row(plate.left() + kPadding, plate.top() + kPadding, width, line);
@@ -106,9 +103,11 @@ void paintLegend(QPainter& painter, QSize size, const MapScene& scene, int top, 
         painter.drawText(row.adjusted(20, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft,
                          QString::fromStdString(entry.text));
     }
+    return plate;
 }
 
-void paintScaleBar(QPainter& painter, QSize size, const MapScene& scene)
+/// Gives where it is.
+QRect paintScaleBar(QPainter& painter, QSize size, const MapScene& scene)
 {
     const double metresPerPixel = scene.camera().heightAtTarget() / size.height();
     const double length = scaleBarLength(140.0 * metresPerPixel);
@@ -128,6 +127,7 @@ void paintScaleBar(QPainter& painter, QSize size, const MapScene& scene)
     painter.drawLine(left + pixels, bottom - 5, left + pixels, bottom);
     painter.drawText(QRect(left, plate.top() + kPadding, plate.width() - 2 * kPadding, metrics.height()), Qt::AlignLeft,
                      text);
+    return plate;
 }
 
 /// A closed lock; drawn, since few fonts have one.
@@ -152,8 +152,14 @@ void paintLock(QPainter& painter, const QRectF& box)
     painter.restore();
 }
 
-/// Where the chip would reach into the corner it goes below it. Gives where it is.
-QRect paintState(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content)
+/// Where a chip and the facts below it are; empty without them.
+struct StatePlates {
+    QRect chip;
+    QRect facts;
+};
+
+/// Where the chip would reach into the corner it goes below it.
+StatePlates paintState(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content)
 {
     const QFontMetrics metrics(painter.font());
     const ThemeColours& colours = themeColours(scene.theme());
@@ -179,7 +185,7 @@ QRect paintState(QPainter& painter, QSize size, const MapScene& scene, const Ove
         top = chip.bottom() + 5;
     }
     if (content.facts.isEmpty())
-        return chip;
+        return {chip, {}};
     int width = 0;
     for (const QString& fact : content.facts)
         width = std::max(width, metrics.horizontalAdvance(fact));
@@ -188,7 +194,24 @@ QRect paintState(QPainter& painter, QSize size, const MapScene& scene, const Ove
     paintPlate(painter, plate, toQColor(colours.background));
     painter.setPen(toQColor(colours.text));
     painter.drawText(plate.adjusted(kPadding, kPadding, -kPadding, -kPadding), Qt::AlignLeft, content.facts.join('\n'));
-    return chip;
+    return {chip, plate};
+}
+
+void paintHint(QPainter& painter, QSize size, const MapScene& scene, const QString& hint)
+{
+    if (hint.isEmpty())
+        return;
+    const ThemeColours& colours = themeColours(scene.theme());
+    painter.save();
+    QFont large = painter.font();
+    large.setBold(true);
+    painter.setFont(large);
+    QRect plate = painter.fontMetrics().boundingRect(QRect(QPoint(0, 0), size), Qt::AlignCenter, hint);
+    plate.adjust(-2 * kPadding, -kPadding, 2 * kPadding, kPadding);
+    paintPlate(painter, plate, toQColor(colours.background));
+    painter.setPen(toQColor(colours.text));
+    painter.drawText(plate, Qt::AlignCenter, hint);
+    painter.restore();
 }
 
 void paintTip(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content)
@@ -229,19 +252,11 @@ void paintOverlay(QPainter& painter, QSize size, const MapScene& scene, const Ov
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::TextAntialiasing);
-    paintLabels(painter, size, scene);
-    const QRect chip = paintState(painter, size, scene, content);
-    paintLegend(painter, size, scene, std::max(kMargin, content.corner.height() + kPadding), chip);
-    paintScaleBar(painter, size, scene);
-    if (!content.hint.isEmpty()) {
-        painter.setPen(toQColor(themeColours(scene.theme()).text));
-        QFont large = painter.font();
-        large.setBold(true);
-        painter.save();
-        painter.setFont(large);
-        painter.drawText(QRect(QPoint(0, 0), size), Qt::AlignCenter, content.hint);
-        painter.restore();
-    }
+    const auto [chip, facts] = paintState(painter, size, scene, content);
+    const QRect legend = paintLegend(painter, size, scene, std::max(kMargin, content.corner.height() + kPadding), chip);
+    const QRect scale = paintScaleBar(painter, size, scene);
+    paintLabels(painter, size, scene, {chip, facts, legend, scale});
+    paintHint(painter, size, scene, content.hint);
     paintTip(painter, size, scene, content);
 }
 

@@ -50,6 +50,7 @@ private slots:
     void whatIsEmptyWithoutAScanIsFoldedAway();
     void theFirstPageIsWholeInTheSmallestWindow();
     void theTimelineSaysWhatToDoNext();
+    void aLongMessageDoesNotWidenTheWindow();
     void extractingOnceMoreTakesTheNewParameters();
     void editsAndRerunsAreTakenBackInTheirOrder();
     void everyActionHasAWordATipAndAName();
@@ -488,6 +489,22 @@ void WindowTest::theFirstPageIsWholeInTheSmallestWindow()
     }
     for (const QPushButton* button : page.findChildren<QPushButton*>())
         QVERIFY2(button->mapTo(&page, QPoint(button->width(), 0)).x() <= page.width(), qPrintable(button->text()));
+}
+
+void WindowTest::aLongMessageDoesNotWidenTheWindow()
+{
+    parts_->window->resize(1024, 700);
+    const QString message(600, QLatin1Char('w'));
+
+    parts_->say(message);
+    QTest::qWait(0);
+
+    const auto* label = parts_->window->findChild<QLabel*>(QStringLiteral("stMessage"));
+    QCOMPARE(parts_->window->size(), QSize(1024, 700));
+    QVERIFY(parts_->window->minimumSizeHint().width() <= 1024);
+    QVERIFY(label->mapTo(parts_->window.get(), QPoint(label->width(), 0)).x() <= 1024);
+    QCOMPARE(label->text(), message);
+    QCOMPARE(label->toolTip(), message);
 }
 
 void WindowTest::theTimelineSaysWhatToDoNext()
