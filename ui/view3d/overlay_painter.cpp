@@ -36,14 +36,44 @@ QPoint toPixels(const Eigen::Vector3d& projected, QSize size)
             static_cast<int>(std::lround(size.height() / 2.0 - projected.y() * size.height()))};
 }
 
-/// Labels that would lie over one drawn before, or over what is taken, are left out, those of selected planes last.
-void paintLabels(QPainter& painter, QSize size, const MapScene& scene, std::vector<QRect> taken)
+bool isFree(const QRect& rect, const std::vector<QRect>& taken)
+{
+    return std::none_of(taken.begin(), taken.end(), [&](const QRect& other) { return other.intersects(rect); });
+}
+
+/// A label moved out of the plates that it would lie under, by no more than half its width or its height; empty where
+/// that is not enough.
+QRect besidePlates(const QRect& label, const QRect& picture, const std::vector<QRect>& plates)
+{
+    std::vector<QPoint> moves{{0, 0}};
+    for (const QRect& plate : plates) {
+        if (!plate.intersects(label))
+            continue;
+        for (const int across : {plate.left() - 1 - label.right(), plate.right() + 1 - label.left()}) {
+            if (std::abs(across) <= label.width() / 2)
+                moves.emplace_back(across, 0);
+        }
+        for (const int down : {plate.top() - 1 - label.bottom(), plate.bottom() + 1 - label.top()}) {
+            if (std::abs(down) <= label.height())
+                moves.emplace_back(0, down);
+        }
+    }
+    for (const QPoint& move : moves) {
+        if (const QRect moved = label.translated(move); picture.contains(moved) && isFree(moved, plates))
+            return moved;
+    }
+    return {};
+}
+
+/// Labels that would lie over one drawn before are left out, those of selected planes last.
+void paintLabels(QPainter& painter, QSize size, const MapScene& scene, const std::vector<QRect>& plates)
 {
     const ThemeColours& colours = themeColours(scene.theme());
     const QFontMetrics metrics(painter.font());
     std::vector<SceneLabel> labels = scene.labels();
     std::stable_partition(labels.begin(), labels.end(), [](const SceneLabel& label) { return label.selected; });
     const QRect picture(QPoint(0, 0), size);
+    std::vector<QRect> taken;
     for (const SceneLabel& label : labels) {
         const Eigen::Vector3d place = projected(scene.camera(), label.place);
         if (place.z() <= 0.0)
@@ -51,9 +81,8 @@ void paintLabels(QPainter& painter, QSize size, const MapScene& scene, std::vect
         const QString text = QString::fromStdString(label.text);
         QRect rect(0, 0, metrics.horizontalAdvance(text) + 2 * kPadding + 12, metrics.height() + 4);
         rect.moveCenter(toPixels(place, size));
-        const bool free = picture.contains(rect) &&
-                          std::none_of(taken.begin(), taken.end(), [&](const QRect& r) { return r.intersects(rect); });
-        if (!free)
+        rect = besidePlates(rect, picture, plates);
+        if (rect.isEmpty() || !isFree(rect, taken))
             continue;
         taken.push_back(rect);
         paintPlate(painter, rect, toQColor(colours.background));
