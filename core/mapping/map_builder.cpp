@@ -243,11 +243,8 @@ void MapBuilder::addMatches(const StopMatch& found)
             match.chiSquare = found.registration.pairChiSquares[pair++];
         for (const std::size_t rival : found.rivals[i])
             match.rivals.push_back(now(rival));
-        if (!match.rivals.empty()) {
-            if (isMatched)
-                match.rivals.insert(match.rivals.begin(), now(*found.planes[i]));
+        if (!match.rivals.empty())
             continue;
-        }
         match.state = isMatched ? MatchState::Matched : MatchState::New;
         if (!isMatched) {
             match.plane = addPlane(map_, {number, i});
@@ -317,7 +314,7 @@ void MapBuilder::closeLoop(std::size_t number, std::size_t base, JoinReport& rep
     report.cutShort = match.cutShort;
     bool isNews = false;
     for (std::size_t i = 0; i < match.planes.size(); ++i)
-        isNews = isNews || (match.planes[i] && match.rivals[i].empty() && match.planes[i] != stop.matches[i].plane);
+        isNews = isNews || (match.planes[i] && match.planes[i] != stop.matches[i].plane);
     if (match.pairs < parameters_.leastPairs || !isNews)
         return;
 
@@ -355,7 +352,7 @@ void MapBuilder::mergeWithOlder(std::size_t number, const StopMatch& older)
 {
     std::map<std::size_t, std::size_t> mergedInto;
     for (std::size_t i = 0; i < older.planes.size(); ++i) {
-        if (!older.planes[i] || !older.rivals[i].empty())
+        if (!older.planes[i])
             continue;
         std::size_t plane = *older.planes[i];
         while (mergedInto.contains(plane))

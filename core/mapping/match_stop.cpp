@@ -115,14 +115,16 @@ StopMatch matchStop(const Stop& stop, const StopExtents& extents, const NearPlan
                 arePieces(near, nearOf(i, *joint.chosen[i]), nearOf(i, rival), first->pose.translation, limits.gate);
             (isPiece ? match.joined : match.rivals)[i].push_back(near.planes()[nearOf(i, rival)].plane);
         }
+        const std::size_t chosen = nearOf(i, *joint.chosen[i]);
         if (!meetsNow(i, *joint.chosen[i]))
             continue;
-        if (joint.looseness[i] > kVouchedFor &&
-            near.likeness(extents[i], first->pose, nearOf(i, *joint.chosen[i])) < kAlike) {
-            match.rivals[i].push_back(near.planes()[nearOf(i, *joint.chosen[i])].plane);
+        const bool isVouchedFor =
+            joint.looseness[i] <= kVouchedFor || near.likeness(extents[i], first->pose, chosen) >= kAlike;
+        if (!match.rivals[i].empty() || !isVouchedFor) {
+            match.rivals[i].insert(match.rivals[i].begin(), near.planes()[chosen].plane);
             continue;
         }
-        match.planes[i] = near.planes()[nearOf(i, *joint.chosen[i])].plane;
+        match.planes[i] = near.planes()[chosen].plane;
         kept.push_back(pairs[n]);
         ++match.pairs;
     }

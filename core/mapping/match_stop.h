@@ -16,7 +16,7 @@ namespace planewright {
 /// A stop matched with the planes near by.
 struct StopMatch {
     std::vector<std::optional<std::size_t>> planes;  ///< of the map, for each plane of the stop
-    std::vector<std::vector<std::size_t>> rivals;    ///< planes of the map that would fit as well
+    std::vector<std::vector<std::size_t>> rivals;    ///< planes of the map that one may be which is left open
     /// Planes of the map that are the same as the one matched: the stop's plane joins pieces seen apart until now.
     std::vector<std::vector<std::size_t>> joined;
     Registration registration;

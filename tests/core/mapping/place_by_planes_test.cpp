@@ -59,7 +59,7 @@ Planes seenAt(const Pose& pose, const Planes& known)
 }
 
 /// Off the middle, turned by half a radian.
-const Pose& truePose()
+const Pose& offTheMiddle()
 {
     static const Pose pose = poseAt({0.7, -0.4, 0.05}, {0.0, 0.0, 0.5});
     return pose;
@@ -78,10 +78,10 @@ void PlaceByPlanesTest::aRoomOfItsOwnShapeHasOnePlace()
     Planes known = roomOf(3.0, 2.0);
     known.push_back(weighed({0.8, 0.6, 0.0}, 3.2, 3.0));
 
-    const auto placements = placeByPlanes(seenAt(truePose(), known), known, {}, meetAlways);
+    const auto placements = placeByPlanes(seenAt(offTheMiddle(), known), known, {}, meetAlways);
 
     QVERIFY(!placements.empty());
-    QVERIFY(errorBetween(truePose(), placements[0].pose).norm() < 1e-6);
+    QVERIFY(errorBetween(offTheMiddle(), placements[0].pose).norm() < 1e-6);
     QVERIFY(placements[0].fixed);
     QCOMPARE(placements[0].pairs.size(), std::size_t(7));
     QCOMPARE(withAllPairs(placements, 7), std::size_t(1));
@@ -94,12 +94,12 @@ void PlaceByPlanesTest::aSquareRoomHasFour()
 {
     const Planes known = roomOf(2.5, 2.5);
 
-    const auto placements = placeByPlanes(seenAt(truePose(), known), known, {}, meetAlways);
+    const auto placements = placeByPlanes(seenAt(offTheMiddle(), known), known, {}, meetAlways);
 
     QCOMPARE(withAllPairs(placements, 6), std::size_t(4));
     for (int quarter = 0; quarter < 4; ++quarter) {
         const Pose turned =
-            poseAt(Eigen::Vector3d::Zero(), {0.0, 0.0, degrees(90.0) * (quarter < 3 ? quarter : -1)}) * truePose();
+            poseAt(Eigen::Vector3d::Zero(), {0.0, 0.0, degrees(90.0) * (quarter < 3 ? quarter : -1)}) * offTheMiddle();
         QVERIFY(std::ranges::any_of(placements, [&](const Placement& placement) {
             return errorBetween(turned, placement.pose).norm() < 1e-6;
         }));
@@ -110,7 +110,7 @@ void PlaceByPlanesTest::aRectangularRoomHasTwo()
 {
     const Planes known = roomOf(3.0, 2.0);
 
-    const auto placements = placeByPlanes(seenAt(truePose(), known), known, {}, meetAlways);
+    const auto placements = placeByPlanes(seenAt(offTheMiddle(), known), known, {}, meetAlways);
 
     QCOMPARE(withAllPairs(placements, 6), std::size_t(2));
 }
@@ -120,14 +120,14 @@ void PlaceByPlanesTest::aPlaceOutOfReachIsNotFound()
 {
     const Planes known = roomOf(3.0, 2.0);
     PlacementSearch search;
-    search.about = truePose();
+    search.about = offTheMiddle();
     search.reach = 1.0;
 
-    const auto placements = placeByPlanes(seenAt(truePose(), known), known, search, meetAlways);
+    const auto placements = placeByPlanes(seenAt(offTheMiddle(), known), known, search, meetAlways);
 
     QCOMPARE(withAllPairs(placements, 6), std::size_t(1));
     search.reach = 2.0;
-    QCOMPARE(withAllPairs(placeByPlanes(seenAt(truePose(), known), known, search, meetAlways), 6), std::size_t(2));
+    QCOMPARE(withAllPairs(placeByPlanes(seenAt(offTheMiddle(), known), known, search, meetAlways), 6), std::size_t(2));
 }
 
 void PlaceByPlanesTest::aBareCorridorIsNotFixedAlongIt()
@@ -135,17 +135,17 @@ void PlaceByPlanesTest::aBareCorridorIsNotFixedAlongIt()
     Planes known = roomOf(1.2, 50.0);
     known.resize(4);  // the ends are out of sight
     PlacementSearch search;
-    search.about = Pose{truePose().rotation, truePose().translation + Eigen::Vector3d(0.1, 0.3, 0.0)};
+    search.about = Pose{offTheMiddle().rotation, offTheMiddle().translation + Eigen::Vector3d(0.1, 0.3, 0.0)};
     search.reach = 2.0;
 
-    const auto placements = placeByPlanes(seenAt(truePose(), known), known, search, meetAlways);
+    const auto placements = placeByPlanes(seenAt(offTheMiddle(), known), known, search, meetAlways);
 
     QVERIFY(!placements.empty());
     QVERIFY(!placements[0].fixed);
-    QVERIFY(std::abs(placements[0].pose.translation.x() - truePose().translation.x()) < 1e-3);
+    QVERIFY(std::abs(placements[0].pose.translation.x() - offTheMiddle().translation.x()) < 1e-3);
     QVERIFY(std::abs(placements[0].pose.translation.y() - search.about->translation.y()) < 1e-3);
     // Nothing says where along it, so without a place to begin with there is none.
-    QVERIFY(placeByPlanes(seenAt(truePose(), known), known, {}, meetAlways).empty());
+    QVERIFY(placeByPlanes(seenAt(offTheMiddle(), known), known, {}, meetAlways).empty());
 }
 
 void PlaceByPlanesTest::aStopThatLiesOnItsSideIsFoundIfThatIsAllowed()
@@ -169,7 +169,7 @@ void PlaceByPlanesTest::planesThatDoNotMeetAreNoPairs()
     const Planes known = roomOf(2.5, 2.5);
     const auto onlyTheFirstTurn = [](std::size_t seen, std::size_t of, const Pose& /*pose*/) { return seen == of; };
 
-    const auto placements = placeByPlanes(seenAt(truePose(), known), known, {}, onlyTheFirstTurn);
+    const auto placements = placeByPlanes(seenAt(offTheMiddle(), known), known, {}, onlyTheFirstTurn);
 
     QCOMPARE(withAllPairs(placements, 6), std::size_t(1));
 }
