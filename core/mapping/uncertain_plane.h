@@ -38,7 +38,7 @@ double chiSquare(const UncertainPlane& a, const UncertainPlane& b);
 UncertainPlane fused(const UncertainPlane& a, const UncertainPlane& b);
 
 /// The limit below which 99.9 % of all chi-square values of that many degrees of freedom lie (Wilson and Hilferty
-/// 1931; within 1 %).
+/// 1931; within 2 %).
 double chiSquareLimit(int degreesOfFreedom);
 
 /// The middle of where a plane was seen, by area; the foot of the frame's origin where it has no outline. Angles and
