@@ -109,6 +109,10 @@ public:
     /// False where its motor has no torque, as far as it last said: it may be turned by hand, or have sunk.
     virtual bool holdsItself() const { return true; }
 
+    /// When it started, host clock, by what it said when it was connected or armed last; empty where it does not say.
+    /// For the thread of connect() and arm().
+    virtual std::optional<std::chrono::nanoseconds> startedAt() const { return std::nullopt; }
+
     virtual LinkHealth health() const = 0;
     /// Its faults since this was last called, the latest FaultLog::kMostRecords at most, oldest first.
     virtual std::vector<FaultRecord> takeLog() { return {}; }

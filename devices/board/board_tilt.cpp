@@ -44,10 +44,10 @@ Result<void> BoardTilt::connect(const std::stop_token& stop)
         return tl::unexpected(status.error());
     tracker_.take(*status);
     publish();
-    const auto* reply = std::get_if<StatusReply>(&status->message);
+    const StatusReply reply = statusOf(*status);
     const std::scoped_lock lock(holding_);
     // One that was stopped in an emergency before must not be stopped once more, which would make it limp.
-    isStopped_ = reply != nullptr && reply->state == State::Estopped;
+    isStopped_ = reply.state == State::Estopped;
     isHeldByUs_ = false;
     waitsSince_.reset();
     isConnected_ = true;
@@ -179,8 +179,16 @@ Result<StatusReply> BoardTilt::readStatus(const std::stop_token& stop)
     const Result<Received> status = ask(GetStatus{}, stop);
     if (!status)
         return tl::unexpected(status.error());
-    const auto* const reply = std::get_if<StatusReply>(&status->message);
-    return reply != nullptr ? *reply : StatusReply{};
+    return statusOf(*status);
+}
+
+StatusReply BoardTilt::statusOf(const Received& answer)
+{
+    const auto* const reply = std::get_if<StatusReply>(&answer.message);
+    if (reply == nullptr)
+        return {};
+    startedAt_ = clock_.now() - std::chrono::milliseconds{reply->uptimeMs};
+    return *reply;
 }
 
 /// A board that has stopped by itself, or by its button, waits for a person.

@@ -74,6 +74,7 @@ public:
     LinkHealth health() const override;
     std::vector<FaultRecord> takeLog() override { return link_.log().take(); }
     MotorState motor() const override;
+    std::optional<std::chrono::nanoseconds> startedAt() const override { return startedAt_; }
 
     /// Notes the angle at the laser's next sync edge. Errors (Usage): one is being waited for, or there is no sync
     /// wire.
@@ -97,6 +98,7 @@ private:
     Result<void> learnFateOfHold(const std::stop_token& stop);
     Result<void> takeBackHold(const std::stop_token& stop);
     Result<board::StatusReply> readStatus(const std::stop_token& stop);
+    board::StatusReply statusOf(const Received& answer);
     Result<void> mustNotWaitForAnybody(const std::stop_token& stop);
     Result<void> clear(const std::stop_token& stop);
     Result<void> sendArm(const std::stop_token& stop);
@@ -122,6 +124,7 @@ private:
     bool isConnected_ = false;
     bool isConfigured_ = false;  ///< the board knows our limits
     BoardTracker tracker_;
+    std::optional<std::chrono::nanoseconds> startedAt_;
     std::chrono::nanoseconds nextStatus_{0};
     std::optional<std::chrono::nanoseconds> waitsSince_;  ///< for an angle, in sample()
 

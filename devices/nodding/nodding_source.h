@@ -24,7 +24,7 @@ namespace planewright {
 /// Slices have the angle that was measured, never the one that was asked for. Nothing moves before begin(), and
 /// whatever goes wrong brings the unit to rest: next() gives the error, and the next call of it tries to go on at the
 /// missing slice. What a unit has stopped for by itself, or by its button for emergencies, is cleared by the first
-/// begin(), next() or goHome() after release() alone. So is the loss of a servo's power, whatever came between: the
+/// begin(), next() or goHome() after release() alone. So is the loss of a unit's power, whatever came between: the
 /// head then goes home, slowly, before it goes anywhere else.
 class NoddingSource : public ScanSource {
 public:
@@ -76,6 +76,10 @@ private:
     Result<std::optional<ScanSlice>> goOn(const std::stop_token& stop);
     Result<std::optional<ScanSlice>> takeSlice();
     Result<void> watchMotion();
+    Result<std::optional<ScanSlice>> tryAgain(const Error& error);
+    tl::unexpected<Error> blocked(const std::string& what);
+    tl::unexpected<Error> noAngles(Time since);
+    tl::unexpected<Error> noSlices(Time since);
     Result<void> waitWhileHeld(const std::stop_token& stop);
     Result<void> rest();
     bool isHeld() const;
@@ -100,12 +104,13 @@ private:
 
     // The acquisition thread's own.
     SliceTaker taker_;
-    bool isNew_ = true;        ///< taker_ is to be made
-    bool isArmed_ = false;     ///< and not told to rest since
-    bool hasHeld_ = false;     ///< it has been armed before
-    bool mustGoHome_ = false;  ///< it has lost its power since then
-    bool isReady_ = false;     ///< the head is where the next slice begins, and the laser scans
-    bool isAimed_ = false;     ///< the unit has been told to go on from there
+    bool isNew_ = true;              ///< taker_ is to be made
+    bool isArmed_ = false;           ///< and not told to rest since
+    bool hasHeld_ = false;           ///< it has been armed before
+    std::optional<Time> startedAt_;  ///< the unit, as it said when it was armed
+    bool mustGoHome_ = false;        ///< it has lost its power since then
+    bool isReady_ = false;           ///< the head is where the next slice begins, and the laser scans
+    bool isAimed_ = false;           ///< the unit has been told to go on from there
     int seenPauses_ = 0;
     Time heardAt_{0};   ///< the last slice, or when it began
     int attempts_ = 0;  ///< to reach the angle of the next slice

@@ -7,9 +7,17 @@ foreach(label IN ITEMS app architecture core devices threads ui)
     add_custom_target(tests_${label})
 endforeach()
 
+# Under sanitizers most of a test's compile time is the optimiser's, on code that runs for a moment; what is tested is
+# optimised as ever. A test is not fuzzed either.
+set(planewright_test_options "")
+if(PLANEWRIGHT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    set(planewright_test_options -O0 -fno-sanitize=fuzzer-no-link)
+endif()
+
 planewright_headers(test_headers
     LIBRARIES Qt6::Core Eigen3::Eigen
     HEADERS <QtCore> <Eigen/Geometry> <functional> <map> <optional> <sstream> <string> <vector>)
+target_compile_options(test_headers PRIVATE ${planewright_test_options})
 
 add_library(test_program STATIC "${PROJECT_SOURCE_DIR}/tests/test_program.cpp")
 target_link_libraries(test_program PRIVATE Qt6::Test project_options)
@@ -29,6 +37,7 @@ function(planewright_tests program)
     planewright_moc_tests(${program} ${arg_SOURCES})
     target_link_libraries(${program} PRIVATE test_program ${arg_LIBRARIES} Qt6::Test project_options)
     target_compile_definitions(${program} PRIVATE PLANEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_compile_options(${program} PRIVATE ${planewright_test_options})
     planewright_reuse_headers(test_headers ${program})
 
     foreach(source IN LISTS arg_SOURCES)

@@ -23,6 +23,8 @@ private slots:
     void anotherProgramsStopIsNoSecondOne();
     void aHoldOfItsOwnNeedsNobody();
     void aHoldWorksAgainAfterTheBoardHasStartedAnew();
+    void aBoardTellsWhenItHasStarted();
+    void aBoardThatHasStartedAnewTellsALaterMoment();
     void withoutATroubleRecoveryDoesNothing();
     void whoIsNotConnectedCannotBeRecovered();
     void aBoardThatSendsNoAnglesIsLost();
@@ -165,6 +167,33 @@ void BoardTiltRecoveryTest::aHoldWorksAgainAfterTheBoardHasStartedAnew()
     QVERIFY(rig.tilt.hold());
 
     QCOMPARE(rig.state(), State::Estopped);
+}
+
+void BoardTiltRecoveryTest::aBoardTellsWhenItHasStarted()
+{
+    EmulatedBoardSetup setup = levelBoard();
+    setup.bootAt = -90s;
+    BoardRig rig{setup};
+
+    QVERIFY(!rig.tilt.startedAt());
+    QVERIFY(rig.tilt.connect({}));
+
+    QVERIFY(rig.tilt.startedAt());
+    QVERIFY(std::chrono::abs(*rig.tilt.startedAt() + 90s) < 50ms);  // an answer comes in time
+}
+
+void BoardTiltRecoveryTest::aBoardThatHasStartedAnewTellsALaterMoment()
+{
+    Moving rig{"board-reset"};
+    QVERIFY(rig.isUnderWay());
+    const auto before = rig.tilt.startedAt();
+    QVERIFY(!rig.watch(3s));
+
+    QVERIFY(rig.tilt.connect({}));
+
+    QVERIFY(before);
+    QVERIFY(*rig.tilt.startedAt() > *before + 100ms);
+    QVERIFY(*rig.tilt.startedAt() <= rig.clock.now());
 }
 
 void BoardTiltRecoveryTest::withoutATroubleRecoveryDoesNothing()

@@ -32,6 +32,8 @@ private slots:
     void nothingGoesHomeAfterAStopOfMotion();
     void aStopOfMotionHoldsWhatGoesHome();
     void aUnitThatHasLostItsPowerWaitsForAPersonAndGoesHomeFirst();
+    void aUnitThatHasStartedAnewWhileItsLinkWasAwayWaitsForAPerson_data();
+    void aUnitThatHasStartedAnewWhileItsLinkWasAwayWaitsForAPerson();
     void aServoThatHasLostItsPowerWaitsForAPersonAndGoesHomeFirst();
 };
 
@@ -277,6 +279,50 @@ void NoddingIdleTest::aUnitThatHasLostItsPowerWaitsForAPersonAndGoesHomeFirst()
     QVERIFY2(std::abs(goals[0] - 90.0) < 0.3, qPrintable(QString::number(goals[0])));
     QVERIFY2(goals[1] < 72.0, qPrintable(QString::number(goals[1])));
     QCOMPARE(slicesUntilTheEnd(*source), 8);
+}
+
+void NoddingIdleTest::aUnitThatHasStartedAnewWhileItsLinkWasAwayWaitsForAPerson_data()
+{
+    QTest::addColumn<int>("uptime");  // at the end of an hour [s], of which the scan was armed half
+    QTest::addColumn<bool>("waits");
+
+    QTest::newRow("it has started when the link was lost") << 5 << true;
+    QTest::newRow("a minute after it was armed") << 1740 << true;
+    QTest::newRow("it runs on") << 3600 << false;
+    QTest::newRow("its clock is slow by 0.5 %") << 3582 << false;
+    QTest::newRow("its clock is fast by 0.5 %") << 3618 << false;
+}
+
+void NoddingIdleTest::aUnitThatHasStartedAnewWhileItsLinkWasAwayWaitsForAPerson()
+{
+    QFETCH(const int, uptime);
+    QFETCH(const bool, waits);
+    DeviceScript script;
+    script.clock.advance(1h);
+    script.startedAt = script.clock.now() - 30min;
+    const auto source = NoddingSource::open(scriptedDevices(script), idlePlan(), script.clock, {}).value();
+    QVERIFY(source->begin({}));
+    QVERIFY(source->next({}).value());
+    bool isSilent = true;
+    script.onSample = [&]() -> Result<void> {
+        return isSilent ? fail(ErrorCode::DeviceLost, "does not answer") : Result<void>{};
+    };
+    QCOMPARE(source->next({}).error().code, ErrorCode::DeviceLost);
+    isSilent = false;
+    script.clock.advance(30min);
+    script.startedAt = script.clock.now() - std::chrono::seconds{uptime};
+    const int moves = script.count("move");
+
+    const auto next = source->next({});
+
+    QCOMPARE(next.has_value(), !waits);
+    if (!waits)
+        return;
+    QCOMPARE(next.error().code, ErrorCode::NeedsOperator);
+    QVERIFY2(next.error().message.find("was reset") != std::string::npos, next.error().message.c_str());
+    QCOMPARE(script.count("move"), moves);
+    source->release();
+    QVERIFY(source->next({}).value());
 }
 
 /// The whole of it: the power goes in the middle of a scan, the cable stays, the shaft sinks and the power comes back.
