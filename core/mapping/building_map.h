@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 #include "core/mapping/register_planes.h"
 #include "core/mapping/stop.h"
 #include "core/mapping/uncertain_plane.h"

@@ -10,7 +10,7 @@
 
 #include "core/geometry/outline.h"
 #include "core/geometry/plane_frame.h"
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 
 namespace planewright {
 

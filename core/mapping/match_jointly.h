@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 #include "core/mapping/uncertain_plane.h"
 
 namespace planewright {

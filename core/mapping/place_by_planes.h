@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 #include "core/mapping/uncertain_plane.h"
 #include "core/types/angle.h"
 

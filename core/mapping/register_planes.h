@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/geometry/axis_strength.h"
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 #include "core/mapping/uncertain_plane.h"
 
 namespace planewright {

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "core/geometry/outline.h"
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 #include "core/types/plane.h"
 
 namespace planewright {

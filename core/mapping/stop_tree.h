@@ -7,7 +7,7 @@
 #include <deque>
 #include <vector>
 
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 
 namespace planewright {
 

@@ -141,7 +141,7 @@ void RecordingPwscanTest::eventsAndEditsComeWithTheScan()
     ScanNotes notes;
     notes.scan = sampleScanRecord(2, "hall");
     notes.scan.state = ScanState::Partial;
-    notes.scan.pose = ScanPose{{1.0, 2.0, 3.0}, {0.0, 0.0, 0.0, 1.0}};
+    notes.scan.pose = Pose{{0.0, 0.0, 0.0, 1.0}, {1.0, 2.0, 3.0}};
     notes.scan.plannedSlices = 137;
     Parameters parameters;
     parameters.planes.minSegments = 7;
@@ -156,8 +156,8 @@ void RecordingPwscanTest::eventsAndEditsComeWithTheScan()
     QCOMPARE(read->notes.scan.name, std::string("hall"));
     QVERIFY(read->notes.scan.state == ScanState::Partial);
     QCOMPARE(*read->notes.scan.plannedSlices, 137);
-    QCOMPARE(read->notes.scan.pose->position.z(), 3.0);
-    QCOMPARE(read->notes.scan.pose->orientation.z(), 1.0);
+    QCOMPARE(read->notes.scan.pose->translation.z(), 3.0);
+    QCOMPARE(read->notes.scan.pose->rotation.z(), 1.0);
     const auto changed = readParameterEvents(read->notes.events, "a.pwscan");
     QVERIFY(changed);
     QCOMPARE(changed->size(), std::size_t(1));

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "core/geometry/pose.h"
 #include "core/geometry/tangents.h"
-#include "core/mapping/pose.h"
 #include "core/mapping/stop.h"
 #include "core/types/square.h"
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 #include "core/mapping/stop.h"
 #include "core/simulation/random.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "core/mapping/pose.h"
+#include "core/geometry/pose.h"
 
 #include <cmath>
 
