@@ -37,8 +37,22 @@ struct ExtractOptions {
     int repeats = 1;
     bool noEdits = false;
     bool overwrite = false;
+    bool skipExisting = false;
     ParameterOptions parameters;
 };
+
+/// True where every output is there already: all appear together, each when it is complete.
+bool isDone(const ExtractOptions& options)
+{
+    std::vector<std::string> outputs = options.planes;
+    for (const std::string* path : {&options.segments, &options.points, &options.labels, &options.history,
+                                    &options.stats, &options.floorPlan, &options.report}) {
+        if (!path->empty())
+            outputs.push_back(*path);
+    }
+    return !outputs.empty() &&
+           std::ranges::all_of(outputs, [](const std::string& path) { return std::filesystem::is_regular_file(path); });
+}
 
 /// An opened output and what goes there.
 struct PlannedOutput {
@@ -97,7 +111,9 @@ Result<void> keepUntil(Recording& recording, int until)
 
 Result<ExitCode> extract(const ExtractOptions& options)
 {
-    OutputFiles files{options.overwrite};
+    if (options.skipExisting && isDone(options))
+        return ExitCode::Done;
+    OutputFiles files{options.overwrite || options.skipExisting};
     files.protect(options.input);
     OutputPlan plan{files};
     for (const std::string& path : options.planes)
@@ -197,6 +213,8 @@ void addExtractCommand(CLI::App& program, Command& chosen)
     addWholeNumber(command, "--until", options->until, 0, kMaxStep,
                    "last step to use (counted from 0), as if the scan had ended there");
     addWholeNumber(command, "--repeat", options->repeats, 1, 10000, "runs; times are medians over them");
+    command.add_flag("--skip-existing", options->skipExisting,
+                     "do nothing where all outputs are there; where some are missing, write all");
     command.add_flag("--overwrite", options->overwrite, "replace output files that exist");
     addParameterOptions(command, options->parameters);
     command.callback([options, &chosen] { chosen = [options] { return extract(*options); }; });

@@ -27,6 +27,7 @@
 #include "app/files/map_results.h"
 #include "core/formats/floor_plan_svg.h"
 #include "core/formats/planes_dxf.h"
+#include "core/formats/planes_json.h"
 #include "core/formats/recording_pwscan.h"
 #include "core/formats/trajectory_tum.h"
 
@@ -55,12 +56,26 @@ struct StopInput {
     std::string name;
 };
 
+constexpr std::array<std::string_view, 4> kStopSuffixes{kRecordingSuffixes[0], kRecordingSuffixes[1],
+                                                        kRecordingSuffixes[2], ".json"};
+
+bool isResult(const std::string& path)
+{
+    return suffixOf(path, {".json"}, "").has_value();
+}
+
 Result<std::vector<StopInput>> stopInputs(const std::vector<std::string>& paths)
 {
-    if (const auto known = checkRecordingNames(paths); !known)
-        return tl::unexpected{known.error()};
+    for (const std::string& path : paths) {
+        if (const auto known = suffixOf(path, kStopSuffixes, "a stop"); !known)
+            return tl::unexpected{known.error()};
+    }
     std::vector<StopInput> inputs;
     for (const std::string& path : paths) {
+        if (isResult(path)) {
+            inputs.push_back({path, {}, path});
+            continue;
+        }
         const auto scans = scansOfRecordingFile(path);
         if (!scans)
             return tl::unexpected{scans.error()};
@@ -78,6 +93,15 @@ struct MapInput {
     bool damaged = false;
 };
 
+template <class Read>
+auto readFile(const std::string& path, Read read) -> decltype(read(std::declval<std::istream&>()))
+{
+    const auto input = openInput(path);
+    if (!input)
+        return tl::unexpected{input.error()};
+    return read(**input);
+}
+
 Result<MapInput> extractStops(const MapOptions& options)
 {
     auto inputs = stopInputs(options.inputs);
@@ -87,6 +111,13 @@ Result<MapInput> extractStops(const MapOptions& options)
     Progress progress("extracting, stop");
     for (const StopInput& input : all.inputs) {
         progress.show(all.stops.size(), all.inputs.size());
+        if (isResult(input.path)) {
+            auto planes = readFile(input.path, [&](std::istream& in) { return readPlaneResultsJson(in, input.path); });
+            if (!planes)
+                return tl::unexpected{planes.error()};
+            all.stops.push_back({input.name, 0, std::nullopt, std::move(*planes)});
+            continue;
+        }
         const auto file = readRecordingFile(input.path, input.choice);
         if (!file)
             return tl::unexpected{file.error()};
@@ -102,15 +133,6 @@ Result<MapInput> extractStops(const MapOptions& options)
         }
     }
     return all;
-}
-
-template <class Read>
-auto readFile(const std::string& path, Read read) -> decltype(read(std::declval<std::istream&>()))
-{
-    const auto input = openInput(path);
-    if (!input)
-        return tl::unexpected{input.error()};
-    return read(**input);
 }
 
 /// Takes the poses of a trajectory, one for each stop in their order.
@@ -204,6 +226,9 @@ public:
         if (!options_.output.empty()) {
             if (const auto target = checkRecordingTarget(options_.output); !target)
                 return tl::unexpected{target.error()};
+            const auto result = std::ranges::find_if(options_.inputs, isResult);
+            if (result != options_.inputs.end())
+                return fail(ErrorCode::Usage, *result + ": has planes, but no slices for -o; give the recording");
             constexpr std::array<std::string_view, 1> kProject{kPwscanSuffix};
             if (auto opened = open({options_.output}, kProject, "the stops", project_); !opened)
                 return opened;
@@ -343,7 +368,10 @@ void addMapCommand(CLI::App& program, Command& chosen)
 {
     CLI::App& command = *program.add_subcommand("map", "several stops into one map of planes");
     auto options = std::make_shared<MapOptions>();
-    command.add_option("INPUT", options->inputs, "recordings (.csv, .csv.gz or .pwscan, each of its scans a stop)")
+    command
+        .add_option(
+            "INPUT", options->inputs,
+            "recordings (.csv, .csv.gz, .pwscan with a stop for each scan), or planes that extract wrote (.json)")
         ->required();
     command
         .add_option("--odometry", options->odometry,

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "core/formats/message_text.h"
 #include "core/formats/number_cells.h"
 #include "core/formats/number_text.h"
 #include "core/formats/text_lines.h"
@@ -37,7 +38,8 @@ tl::expected<std::array<double, kValues.size()>, std::string> numbersOf(std::str
         const auto number = readNumber<double>(word);
         const double limit = count == 0 ? 10.0 * kFarthest : kFarthest;
         if (!number || std::abs(*number) > limit)
-            return tl::unexpected{std::string{kValues[count]} + " is no number within its limits"};
+            return tl::unexpected{std::string{kValues[count]} + " is " + quotedText(word) +
+                                  ", which is no number within its limits"};
         numbers[count++] = *number;
     }
     if (count < numbers.size())
@@ -52,7 +54,7 @@ Result<std::vector<StampedPose>> readTrajectoryTum(std::istream& in, const std::
     TextLines lines{in};
     std::vector<StampedPose> poses;
     const auto wrong = [&](const std::string& what) {
-        return fail(ErrorCode::Unreadable, fileName + ":" + std::to_string(lines.number()) + ": " + what);
+        return fail(ErrorCode::Unreadable, placeInFile(fileName, lines.number()) + what);
     };
     while (const auto line = lines.next()) {
         const std::string_view text = trimmed(*line);
@@ -64,20 +66,21 @@ Result<std::vector<StampedPose>> readTrajectoryTum(std::istream& in, const std::
         const auto& [time, x, y, z, qx, qy, qz, qw] = *numbers;
         const Eigen::Quaterniond rotation{qw, qx, qy, qz};
         if (std::abs(rotation.norm() - 1.0) > 1e-3)
-            return wrong("the quaternion qx qy qz qw is not of length 1");
+            return wrong("the quaternion qx qy qz qw is not of length 1; correct it");
         if (!poses.empty() && time < poses.back().time)
-            return wrong("the time runs backwards");
+            return wrong("the time runs backwards; put the poses in their order");
         if (poses.size() == kMaxPoses)
-            return wrong("more than " + std::to_string(kMaxPoses) + " poses");
+            return wrong("more than " + std::to_string(kMaxPoses) + " poses; give a shorter trajectory");
         poses.push_back({time, {rotation.normalized(), {x, y, z}}});
     }
     if (!lines.problem().empty())
-        return fail(ErrorCode::Unreadable,
-                    fileName + ":" + std::to_string(lines.problemLine()) + ": " + lines.problem());
+        return fail(ErrorCode::Unreadable, placeInFile(fileName, lines.problemLine()) + lines.problem());
     if (lines.cutShort())
-        return fail(ErrorCode::Unreadable, fileName + ": the compressed data stop in the middle; get the whole file");
+        return fail(ErrorCode::Unreadable,
+                    placeInFile(fileName, 0) + "the compressed data stop in the middle; get the whole file");
     if (poses.empty())
-        return fail(ErrorCode::Unreadable, fileName + ": there is no pose in it");
+        return fail(ErrorCode::Unreadable,
+                    placeInFile(fileName, 0) + "there is no pose in it; a line has timestamp tx ty tz qx qy qz qw");
     return poses;
 }
 

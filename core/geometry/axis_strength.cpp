@@ -25,10 +25,10 @@ AxisStrength axisStrength(std::span<const std::shared_ptr<const Plane>> planes)
         if (variance > 0.0 && std::isfinite(variance))
             information += plane->normal * plane->normal.transpose() / variance;
     }
-    return axisStrength(information);
+    return strengthOf(information);
 }
 
-AxisStrength axisStrength(const Eigen::Matrix3d& information)
+AxisStrength strengthOf(const Eigen::Matrix3d& information)
 {
     AxisStrength strength;
     strength.information = information;

@@ -105,8 +105,8 @@ PoseStrength poseStrength(const Matrix6d& information)
     const Eigen::Matrix3d turn = information.topLeftCorner<3, 3>();
     const Eigen::Matrix3d shift = information.bottomRightCorner<3, 3>();
     const Eigen::Matrix3d both = information.topRightCorner<3, 3>();
-    return {axisStrength(rest(shift, both.transpose() * inverseWhereKnown(turn) * both)),
-            axisStrength(rest(turn, both * inverseWhereKnown(shift) * both.transpose()))};
+    return {strengthOf(rest(shift, both.transpose() * inverseWhereKnown(turn) * both)),
+            strengthOf(rest(turn, both * inverseWhereKnown(shift) * both.transpose()))};
 }
 
 std::optional<Eigen::Quaterniond> bestRotation(std::span<const Eigen::Vector3d> from,

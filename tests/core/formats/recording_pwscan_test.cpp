@@ -30,6 +30,8 @@ private slots:
     void aScanThatIsNotThereIsWrongUsage();
     void aRangeBeyondTheFormatIsNotWritten();
     void anotherNumberOfBeamsIsOurOwnFault();
+    void severalScansStandInOneFile();
+    void aScanThatCannotBeGivenEndsTheWriting();
     void aMissingFileIsSaidToBeMissing();
     void namesThatMeanSomethingToSqliteAreFiles();
 
@@ -249,6 +251,46 @@ void RecordingPwscanTest::anotherNumberOfBeamsIsOurOwnFault()
 
     QVERIFY(!written);
     QVERIFY(written.error().code == ErrorCode::Internal);
+}
+
+void RecordingPwscanTest::severalScansStandInOneFile()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.pwscan").toStdString();
+    std::ofstream out(path, std::ios::binary);
+    const auto scanOf = [](std::size_t number) -> Result<WrittenScan> {
+        WrittenScan scan{sampleRecording(2 + static_cast<int>(number), 3), {}};
+        scan.notes.scan.state = ScanState::Complete;
+        scan.notes.scan.name = "stop " + std::to_string(number);
+        scan.notes.scan.floor = static_cast<int>(number) / 2;
+        scan.notes.scan.pose = Pose{Eigen::Quaterniond::Identity(), {1.0 * static_cast<double>(number), 0.0, 0.0}};
+        return scan;
+    };
+
+    QVERIFY(writeScansPwscan(out, 3, scanOf));
+    out.close();
+
+    const auto scans = scansOfPwscan(path);
+    QVERIFY(scans);
+    QCOMPARE(scans->size(), std::size_t(3));
+    QCOMPARE(scans->at(2).id, 3);
+    QCOMPARE(scans->at(2).name, std::string("stop 2"));
+    QCOMPARE(scans->at(2).floor, 1);
+    QCOMPARE(scans->at(2).pose->translation.x(), 2.0);
+    QCOMPARE(readRecordingPwscan(path, 2)->read.recording.slices.size(), std::size_t(3));
+    QVERIFY(pwscanProblems(path).problems.empty());
+}
+
+void RecordingPwscanTest::aScanThatCannotBeGivenEndsTheWriting()
+{
+    std::ostringstream out;
+
+    const auto written = writeScansPwscan(
+        out, 2, [](std::size_t) -> Result<WrittenScan> { return fail(ErrorCode::Unreadable, "gone.csv: gone"); });
+
+    QVERIFY(!written);
+    QCOMPARE(written.error().message, std::string("gone.csv: gone"));
+    QVERIFY(out.str().empty());
 }
 
 void RecordingPwscanTest::aMissingFileIsSaidToBeMissing()
