@@ -89,7 +89,7 @@ Scene makeHostile(std::uint64_t seed)
     addGrazing(yard, random);
     addNearlyTheSame(yard, random);
     addLimits(yard, random);
-    return yard.build({});
+    return yard.build(SensorPose{});
 }
 
 }  // namespace planewright
