@@ -74,6 +74,9 @@ std::string warningOf(const MapStop& stop)
         case StopTrust::Planes:
             break;
     }
+    if (!stop.loopRivals.empty())
+        return "it may be back where the map was before, but its planes fit " + std::to_string(stop.loopRivals.size()) +
+               " places there; the loop is left open. Scan once more near by";
     if (const std::string weak = weakDirection(stop); !weak.empty())
         return "its planes do not fix it along " + weak + "; odometry does";
     return {};

@@ -54,6 +54,7 @@ struct MapStop {
     StopTrust trust = StopTrust::Unplaced;
     std::optional<StopMotion> odometry;  ///< as far as it is a factor of the map
     std::vector<Pose> alternatives;      ///< other poses that its planes would allow
+    std::vector<Pose> loopRivals;        ///< poses that what older stops saw would allow: the loop was left open
     PoseStrength strength;            ///< how well the planes fixed it as it joined; what they do not fix is odometry's
     double odometryChiSquare = 0.0;   ///< of odometry against the planes as it joined, 6 at most expected
     std::vector<PlaneMatch> matches;  ///< of each of its planes

@@ -132,6 +132,13 @@ StopDecision decideStop(const Stop& stop, const StopExtents& extents, const Near
     return decision;
 }
 
+std::vector<Pose> rivalsOf(const StopMatch& match, const Stop& stop, const StopExtents& extents, const NearPlanes& near,
+                           const PosePrior& expected, const MappingParameters& parameters)
+{
+    return rivalsOf(possiblePlaces(stop, extents, near, expected, parameters), match.registration.pose, match.planes,
+                    near, parameters);
+}
+
 StopDecision decideStop(const Stop& stop, const StopExtents& extents, const NearPlanes& near,
                         const MappingParameters& parameters)
 {

@@ -32,4 +32,9 @@ StopDecision decideStop(const Stop& stop, const StopExtents& extents, const Near
 StopDecision decideStop(const Stop& stop, const StopExtents& extents, const NearPlanes& near,
                         const MappingParameters& parameters);
 
+/// Other poses within reach of where a stop is expected at which its planes would be about as many of the map's as in a
+/// match, those left out that both match alike.
+std::vector<Pose> rivalsOf(const StopMatch& match, const Stop& stop, const StopExtents& extents, const NearPlanes& near,
+                           const PosePrior& expected, const MappingParameters& parameters);
+
 }  // namespace planewright

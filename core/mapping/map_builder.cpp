@@ -320,12 +320,11 @@ void MapBuilder::closeLoop(std::size_t number, std::size_t base, JoinReport& rep
 
     const Pose& found = match.registration.pose;
     if (expected.covariance.bottomRightCorner<3, 3>().trace() > square(kTightShift)) {
-        for (const Placement& other : placeStop(*stop.stop, extents_[number], planes, expected, parameters_)) {
-            if (!isSamePlace(other.pose, found) &&
-                static_cast<double>(other.pairs.size()) >= parameters_.rivalShare * match.pairs) {
-                map_.stops[number].alternatives.push_back(other.pose);
-                return;
-            }
+        std::vector<Pose> rivals = rivalsOf(match, *stop.stop, extents_[number], planes, expected, parameters_);
+        if (!rivals.empty()) {
+            map_.stops[number].loopRivals = std::move(rivals);
+            map_.stops[number].loopRivals.insert(map_.stops[number].loopRivals.begin(), found);
+            return;
         }
     }
 

@@ -262,7 +262,7 @@ SimulatedBuilding::SimulatedBuilding(int floors, std::uint64_t seed) : seed_(see
 
 Scene SimulatedBuilding::sceneAt(int floor, const Pose& pose) const
 {
-    return floors_[static_cast<std::size_t>(floor)].build(pose);
+    return floors_[static_cast<std::size_t>(floor)].buildAt(pose);
 }
 
 std::vector<BuildingStop> SimulatedBuilding::route(int stops) const

@@ -155,7 +155,7 @@ Scene SceneBuilder::build(const SensorPose& pose) const
     return seenFrom(pose.position, Eigen::AngleAxisd(-pose.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix());
 }
 
-Scene SceneBuilder::build(const Pose& pose) const
+Scene SceneBuilder::buildAt(const Pose& pose) const
 {
     return seenFrom(pose.translation, pose.rotation.conjugate().toRotationMatrix());
 }

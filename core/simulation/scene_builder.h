@@ -87,7 +87,7 @@ public:
 
     /// The room as a sensor in it sees it.
     Scene build(const SensorPose& pose) const;
-    Scene build(const Pose& pose) const;
+    Scene buildAt(const Pose& pose) const;
 
 private:
     Scene seenFrom(const Eigen::Vector3d& position, const Eigen::Matrix3d& turn) const;

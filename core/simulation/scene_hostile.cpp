@@ -89,7 +89,7 @@ Scene makeHostile(std::uint64_t seed)
     addGrazing(yard, random);
     addNearlyTheSame(yard, random);
     addLimits(yard, random);
-    return yard.build(SensorPose{});
+    return yard.build({});
 }
 
 }  // namespace planewright

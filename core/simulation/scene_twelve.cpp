@@ -34,7 +34,7 @@ Scene makeTwelve(std::uint64_t seed)
     facingX("10", 21.28, 0.3, 3.1);
     yard.level("11", 2.0, {-1.5 + trim(), -0.5}, {1.5 - trim(), 2.4 - trim()});
     yard.level("12", -0.9, {-1.5 + trim(), -0.5}, {1.5 - trim(), 2.4 - trim()});
-    return yard.build(SensorPose{});
+    return yard.build({});
 }
 
 }  // namespace planewright

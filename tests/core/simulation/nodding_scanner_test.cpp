@@ -23,7 +23,7 @@ Scene makeWallAndFloor()
     SceneBuilder room("test");
     room.level("floor", -1.0, {-40.0, -40.0}, {40.0, 40.0});
     room.wall("wall", {{40.0, 4.0}, {-40.0, 4.0}, -1.0, 40.0});
-    return room.build(SensorPose{});
+    return room.build({});
 }
 
 /// The distance of a point from the nearest cylinder's mantle.
@@ -143,7 +143,7 @@ void NoddingScannerTest::rangesOutsideTheLimitsAreNoReturns()
     settings.firstTilt = degrees(90.0);
     settings.slices = 1;
 
-    const SimulatedScan scan = simulate(room.build(SensorPose{}), settings, {}, kSeed);
+    const SimulatedScan scan = simulate(room.build({}), settings, {}, kSeed);
 
     for (std::size_t beam = 0; beam < 721; ++beam) {
         const double range = scan.recording.slices[0].ranges[beam];

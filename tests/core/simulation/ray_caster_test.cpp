@@ -89,7 +89,7 @@ void RayCasterTest::aFrontalWallIsFartherAtASlant()
 {
     SceneBuilder room("test");
     room.wall("wall", {{10.0, 4.0}, {-10.0, 4.0}, -5.0, 5.0});
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     const RayCaster caster(scene, allSurfaces(scene), degrees(90.0), kOffset);
 
@@ -103,7 +103,7 @@ void RayCasterTest::theLaserSitsOffThePitchAxis()
     SceneBuilder room("test");
     room.level("floor", -1.0, {-50.0, -50.0}, {50.0, 50.0});
     room.level("ceiling", 1.5, {-50.0, -50.0}, {50.0, 50.0});
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     // Eq. (6): z = −ρ sin θ cos φ + d_l sin φ.
     for (const double tilt : {30.0, 60.0, 120.0, 150.0}) {
@@ -119,7 +119,7 @@ void RayCasterTest::raysEndAtTheEdgeOfASurface()
 {
     SceneBuilder room("test");
     room.wall("panel", {{1.0, 1.0}, {-1.0, 1.0}, -1.0, 1.0});
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     const RayCaster caster(scene, allSurfaces(scene), degrees(90.0), kOffset);
 
@@ -135,7 +135,7 @@ void RayCasterTest::theNearestSurfaceHidesWhatIsBehind()
     SceneBuilder room("test");
     const int wall = room.wall("wall", {{2.0, 3.0}, {-2.0, 3.0}, -1.0, 1.0});
     const int panel = room.wall("panel", {{2.0, 2.0}, {0.0, 2.0}, -1.0, 1.0});
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     const RayCaster caster(scene, allSurfaces(scene), degrees(90.0), kOffset);
 
@@ -147,7 +147,7 @@ void RayCasterTest::aPoleIsHitOnItsNearSide()
 {
     SceneBuilder room("test");
     room.pole({0.0, 3.0, -1.0}, {0.0, 0.0, 2.0}, 0.5);
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     const RayCaster caster(scene, allSurfaces(scene), degrees(90.0), kOffset);
 
@@ -165,7 +165,7 @@ void RayCasterTest::aSectorIsHitOnlyWithinItsSweepAndHeight()
     SceneBuilder room("test");
     // A quarter of a drum about the sensor, from straight ahead to the left, open above 0.5 m.
     room.cylinder({0.0, 0.0, -0.5}, {0.0, 0.0, 1.0}, {0.0, 2.0, 0.0}, degrees(90.0));
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     const RayCaster level(scene, allSurfaces(scene), degrees(90.0), 0.0);
     const RayCaster upwards(scene, allSurfaces(scene), degrees(90.0 + 20.0), 0.0);
@@ -182,7 +182,7 @@ void RayCasterTest::aBeamBetweenNeighbouringPiecesHitsOneOfThem()
     SceneBuilder room("test");
     const double third = 1.0 / 3.0;
     room.wall("wall", {{1.0, 0.7}, {-1.0, 0.9}, -1.0, 1.0}, {{third, 2.0 * third, 0.3, 0.6}});
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     const Eigen::Vector2d seam = Eigen::Vector2d(1.0, 0.7) + third * Eigen::Vector2d(-2.0, 0.2).normalized();
     const RayCaster caster(scene, allSurfaces(scene), degrees(90.0), 0.0);

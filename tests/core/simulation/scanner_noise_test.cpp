@@ -53,7 +53,7 @@ Scene makeFrontalWall(double distance)
 {
     SceneBuilder room("test");
     room.wall("wall", {{40.0, distance}, {-40.0, distance}, -40.0, 40.0});
-    return room.build(SensorPose{});
+    return room.build({});
 }
 
 /// A panel at 2 m on the left of straight ahead, a wall at 4 m behind it.
@@ -65,7 +65,7 @@ Scene makeEdge(bool upright)
     else
         room.wall("panel", {{5.0, 2.0}, {-5.0, 2.0}, -5.0, 0.0});
     room.wall("wall", {{40.0, 4.0}, {-40.0, 4.0}, -40.0, 40.0});
-    return room.build(SensorPose{});
+    return room.build({});
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ void ScannerNoiseTest::pitchNoiseIsOneDrawForAllBeamsOfASlice()
     SimulationNoise noise;
     noise.pitch = degrees(0.084);
 
-    const SimulatedScan scan = simulate(room.build(SensorPose{}), settings, noise, 3);
+    const SimulatedScan scan = simulate(room.build({}), settings, noise, 3);
 
     // Without d_l the floor is met where ρ sin θ cos φ = 1: every beam gives away the same φ.
     Sample sample;
@@ -186,7 +186,7 @@ void ScannerNoiseTest::glassLosesItsShareAsWell()
     SimulationNoise noise;
     noise.dropout = 0.2;
 
-    const SimulatedScan scan = simulate(room.build(SensorPose{}), staring(degrees(90.0), 10000, 1), noise, 5);
+    const SimulatedScan scan = simulate(room.build({}), staring(degrees(90.0), 10000, 1), noise, 5);
 
     int left = 0;
     for (const double range : scan.recording.slices[0].ranges)
@@ -275,7 +275,7 @@ void ScannerNoiseTest::aCreaseMixesNothing()
     SimulationNoise mixing = noise;
     mixing.mixedPixels = true;
 
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
     const SimulatedScan plain = simulate(scene, settings, noise, 9);
     const SimulatedScan mixed = simulate(scene, settings, mixing, 9);
 

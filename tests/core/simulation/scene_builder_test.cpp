@@ -51,7 +51,7 @@ void SceneBuilderTest::aWallIsOnePlaneAboutItsOpenings()
 
     // Not in order along the wall, one a door and one a window.
     const int wall = room.wall("wall", plan, {{2.5, 3.5, 1.0, 2.0}, {0.0, 0.9, 0.0, 2.0}});
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     QCOMPARE(scene.planes.size(), std::size_t(1));
     QVERIFY(std::abs(areaOf(scene, wall) - (4.0 * 2.5 - 0.9 * 2.0 - 1.0 * 1.0)) < 1e-12);
@@ -65,7 +65,7 @@ void SceneBuilderTest::aRecessLiesBehindItsWall()
     const WallPlan plan{{2.0, 0.0}, {2.0, 5.0}, 0.0, 2.5};
 
     room.recess("window", plan, {1.0, 2.5, 0.9, 2.1}, 0.2);
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     QCOMPARE(scene.planes.size(), std::size_t(5));
     QVERIFY(holds(scene.planes[0], {1.0, 0.0, 0.0}, 2.2));
@@ -81,7 +81,7 @@ void SceneBuilderTest::aBoxHasTheFacesAskedFor()
 {
     SceneBuilder room("test");
     room.box("a", {{1.0, 2.0}, {0.4, 0.6, 0.8}, 0.5}, kHungOnWall | kBack);
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     QCOMPARE(scene.planes.size(), std::size_t(6));
     QVERIFY(holds(scene.planes[0], {1.0, 0.0, 0.0}, 0.8));
@@ -93,14 +93,14 @@ void SceneBuilderTest::aBoxHasTheFacesAskedFor()
 
     SceneBuilder other("test");
     other.box("b", {{1.0, 2.0}, {0.4, 0.6, 0.8}}, kAgainstWall);
-    QCOMPARE(other.build(SensorPose{}).planes.size(), std::size_t(4));
+    QCOMPARE(other.build({}).planes.size(), std::size_t(4));
 }
 
 void SceneBuilderTest::aTurnedBoxTurnsAboutItsCentre()
 {
     SceneBuilder room("test");
     room.box("a", {{1.0, 2.0}, {0.4, 0.6, 0.8}, 0.0, degrees(90.0)}, kRight | kFront);
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     // After a quarter turn to the left the right side looks along +y and the front along +x.
     QVERIFY(holds(scene.planes[0], {0.0, 1.0, 0.0}, 2.2));
@@ -114,7 +114,7 @@ void SceneBuilderTest::theSensorIsTheOriginAndLooksAlongY()
     room.level("floor", 0.0, {0.0, 0.0}, {3.0, 4.0});
     room.pole({0.0, 1.0, 0.0}, {0.0, 0.0, 2.0}, 0.1);
 
-    const Scene scene = room.build(SensorPose{{2.0, 1.0, 0.9}, degrees(90.0)});
+    const Scene scene = room.build({{2.0, 1.0, 0.9}, degrees(90.0)});
 
     // Turned to the left by a quarter, the sensor looks at the left wall, 2 m ahead.
     QVERIFY(holds(scene.planes[0], {0.0, 1.0, 0.0}, 2.0));
@@ -129,7 +129,7 @@ void SceneBuilderTest::everyRectangleLiesInItsPlane()
     SceneBuilder room("test");
     room.box("a", {{1.0, 2.0}, {0.4, 0.6, 0.8}, 0.1, 0.3}, kStanding | kBottom);
     room.wall("wall", {{0.3, 3.0}, {4.0, 3.7}, 0.0, 2.5}, {{0.5, 1.4, 0.0, 2.0}});
-    const Scene scene = room.build(SensorPose{{0.4, 0.5, 1.0}, -0.2});
+    const Scene scene = room.build({{0.4, 0.5, 1.0}, -0.2});
 
     for (const RectangleSurface& r : scene.rectangles) {
         const TruePlane& plane = scene.planes[static_cast<std::size_t>(r.plane)];
@@ -145,7 +145,7 @@ void SceneBuilderTest::onlyTheGlassLosesReturns()
     SceneBuilder room("test");
     room.level("floor", 0.0, {0.0, 0.0}, {3.0, 4.0});
     room.makeGlass(room.wall("pane", {{0.0, 4.0}, {3.0, 4.0}, 0.0, 2.0}), 0.7);
-    const Scene scene = room.build(SensorPose{});
+    const Scene scene = room.build({});
 
     QCOMPARE(scene.rectangles[0].dropout, 0.0);
     QCOMPARE(scene.rectangles[1].dropout, 0.7);
