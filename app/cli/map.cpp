@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,7 +114,7 @@ Result<MapInput> extractStops(const MapOptions& options)
             auto planes = readFile(input.path, [&](std::istream& in) { return readPlaneResultsJson(in, input.path); });
             if (!planes)
                 return tl::unexpected{planes.error()};
-            all.stops.push_back({input.name, 0, std::nullopt, std::move(*planes)});
+            all.stops.push_back({input.name, 0, {}, std::move(*planes)});
             continue;
         }
         const auto file = readRecordingFile(input.path, input.choice);
@@ -126,7 +125,7 @@ Result<MapInput> extractStops(const MapOptions& options)
             return tl::unexpected{extraction.error()};
         all.damaged = all.damaged || file->damaged;
         all.parameters = extraction->parameters;
-        StopScan& stop = all.stops.emplace_back(StopScan{input.name, 0, std::nullopt, std::move(extraction->planes)});
+        StopScan& stop = all.stops.emplace_back(StopScan{input.name, 0, {}, std::move(extraction->planes)});
         if (file->notes) {
             stop.floor = file->notes->scan.floor;
             stop.odometry = file->notes->scan.pose;
@@ -165,8 +164,7 @@ Result<std::map<int, Pose>> floorFrames(const MapOptions& options, const std::ve
         if (floors.size() > 1)
             return fail(ErrorCode::Usage, "the stops are on " + std::to_string(floors.size()) +
                                               " floors; say where each is with --floor-poses");
-        frames[floors.front().floor] = {};
-        return frames;
+        return std::map<int, Pose>{{floors.front().floor, Pose{}}};
     }
     const auto poses =
         readFile(options.floorPoses, [&](std::istream& in) { return readTrajectoryTum(in, options.floorPoses); });
