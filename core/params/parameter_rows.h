@@ -184,7 +184,7 @@ constexpr auto rowsOf(const PlaneParameters& /*part*/)
                   "meet the plane head-on."},
         Parameter{"planes.max-normal-sigma", &PlaneParameters::maxNormalSigma, Unit::Angle,
                   Range{degrees(0.01), degrees(45.0)}, "",
-                  "A new plane's normal must be known to this standard deviation."},
+                  "A plane's normal must be known to this standard deviation."},
         Parameter{"planes.min-incidence", &PlaneParameters::minIncidence, Unit::Angle, Range{0.0, degrees(45.0)}, "",
                   "Rays must meet a new plane at this angle on average; a slice's own plane is none."},
         Parameter{"planes.run-step", &PlaneParameters::runStep, Unit::Metre, Range{0.0, 1.0}, "",
