@@ -45,6 +45,7 @@ constexpr auto kFaultWords = std::to_array<FaultWords>({
     {"board-voltage", "a supply out of range"},
     {"board-watchdog", "stopped, since heartbeats were missing"},
     {"board-wheel-mode", "its servo turns without end"},
+    {"dialogue-ended", "a dialogue that is recorded no further"},
     {"laser-blind", "hardly a beam came back"},
     {"laser-character", "a character that no number has"},
     {"laser-count", "a scan with a wrong number of ranges"},

@@ -15,6 +15,8 @@ namespace planewright {
 
 namespace {
 
+constexpr int kCornerMargin = 10;  // [px]
+
 /// A button answers Space while it has the keyboard, whatever else Space does in the view around it.
 class SpaceIsOfButtons : public QObject {
 public:
@@ -128,12 +130,13 @@ void MainWindow::makeViewButtons()
         row->addWidget(button);
     }
     auto* overlay = new QVBoxLayout(view_);
-    overlay->setContentsMargins(0, 10, 10, 0);
+    overlay->setContentsMargins(0, kCornerMargin, kCornerMargin, 0);
     auto* top = new QHBoxLayout;
     top->addStretch(1);
     top->addWidget(corner);
     overlay->addLayout(top);
     overlay->addStretch(1);
+    view_->keepCornerFree(corner->sizeHint() + QSize(kCornerMargin, kCornerMargin));
 }
 
 void MainWindow::makeSubmenus()

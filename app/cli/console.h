@@ -22,6 +22,10 @@ void printNote(std::string_view message);
 /// One line on stderr, `planewright-cli: warning: …`.
 void printWarning(std::string_view message);
 
+/// What is waited for, again and again with a number that changes: the same line twice is printed once. On a terminal
+/// each takes the place of the one before, and whatever is printed next takes that of the last. Any thread.
+void printWaiting(const std::string& line);
+
 /// Writes to standard output and flushes it. Errors: NotWritten.
 Result<void> print(std::string_view text);
 

@@ -175,10 +175,12 @@ void addEmulateCommand(CLI::App& program, Command& chosen)
     addWholeNumber(command, "--baud", options->baud, 300, 4'500'000,
                    "rate of the servo's bus in bit/s (default 57142)");
     command.add_option("--serial", options->serial, "number that the laser says it has")->type_name("NUMBER");
-    std::string kinds = "what goes wrong, from the STEP-th turn of the mirror since it first streamed:";
+    std::string kinds =
+        "what goes wrong, from the STEP-th turn of the mirror since it first streamed on; without @STEP from the "
+        "beginning on:";
     for (const EmulatedFaultKind& kind : emulatedFaultKinds())
         kinds += "\n  " + std::string(kind.name) + ": " + std::string(kind.sentence);
-    command.add_option("--fault", options->faults, kinds)->type_name("KIND@STEP");
+    command.add_option("--fault", options->faults, kinds)->type_name("KIND[@STEP]");
     command.callback([options, &chosen] { chosen = [options] { return emulate(*options); }; });
 }
 

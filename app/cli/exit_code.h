@@ -13,7 +13,7 @@ enum class ExitCode {
     Internal = 1,        ///< our own fault
     Usage = 2,           ///< a wrong option or parameter
     Unreadable = 3,      ///< an input that cannot be read or is malformed; nothing was written
-    Damaged = 4,         ///< an input was cut short; its valid part was processed and written
+    Damaged = 4,         ///< an input was cut short, or a scan lacks slices; what is valid was processed and written
     NotWritten = 5,      ///< an output could not be written
     NoDevice = 6,        ///< a device was not found, not permitted, or not what was expected
     DeviceLost = 7,      ///< a device was lost during the scan; what was recorded is valid

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@
 #include "core/formats/recorded_slice.h"
 #include "core/formats/recording_csv.h"
 #include "core/types/angle_text.h"
+#include "core/types/count_text.h"
 
 namespace planewright {
 
@@ -42,14 +44,16 @@ struct RecordOptions {
     bool append = false;
     bool home = false;
     bool extract = false;
-    int retries = 0;  ///< after a fault of the devices
+    int retries = 3;  ///< in a row, after a link has failed
     ParameterOptions parameters;
 };
 
 /// What happened on the threads of a scan, for the one that waits for it.
 struct ScanNews {
     std::atomic<bool> isOver{false};
-    std::optional<Error> failure;    ///< of the source or the extraction; read when the threads have ended
+    // Each of one thread; read when the threads have ended.
+    std::optional<Error> failure;  ///< of the source
+    std::optional<Error> notExtracted;
     std::optional<Error> notClosed;  ///< of the recording
     ScanOutcome outcome = ScanOutcome::Complete;
 };
@@ -149,20 +153,35 @@ Result<std::optional<int>> bringHome(ScanSource& source, const SignalWatch& sign
     return std::nullopt;
 }
 
+/// A line about a fault, with the first bytes that came.
+std::string noteOf(FaultRecord record)
+{
+    constexpr std::size_t kMostShown = 3 * 16 - 1;  // 16 bytes, with a blank between two
+    if (record.bytes.size() > kMostShown)
+        record.bytes = record.bytes.substr(0, kMostShown) + " …";
+    return recordText(record);
+}
+
 ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline)
 {
     ScanEvents events;
     events.acquisition.onBegun = [] {};
     events.acquisition.onFault = [&news, &pipeline](const Error& error) {
         news.failure = error;
+        // What is not found when the scan is to go on was there when it began.
+        if (error.code == ErrorCode::NoDevice)
+            news.failure->code = ErrorCode::DeviceLost;
         pipeline->giveUp();
     };
     events.acquisition.onRecovering = [](const Error& error, std::chrono::milliseconds wait) {
         printWarning(error.message + "; trying to go on in " + std::to_string(wait.count()) + " ms");
     };
-    events.acquisition.onRecords = [](const std::vector<FaultRecord>& records) {
-        for (const FaultRecord& record : records)
-            printNote(recordText(record));
+    events.acquisition.onRecords = [](const std::vector<FaultRecord>& records, const Error* fault) {
+        for (const FaultRecord& record : records) {
+            // What the fault says itself is not said twice.
+            if (fault == nullptr || fault->message.find(record.text) == std::string::npos)
+                printNote(noteOf(record));
+        }
     };
     events.acquisition.onEnded = [&news](ScanOutcome outcome) { news.outcome = outcome; };
     events.recording.onTrouble = [](const Error& error) {
@@ -174,8 +193,22 @@ ScanEvents eventsFor(ScanNews& news, ScanPipeline*& pipeline)
             news.notClosed = closed.error();
     };
     events.onNews = [] {};
-    events.onExtractionFailed = [&](const Error& error) { news.notClosed = error; };
+    events.onExtractionFailed = [&](const Error& error) { news.notExtracted = error; };
     return events;
+}
+
+/// What the program ends with: slices that are on no disk count more than a device that is gone. The others are told.
+std::optional<Error> worstOf(const ScanNews& news)
+{
+    std::optional<Error> worst;
+    for (const std::optional<Error>& trouble : {news.failure, news.notExtracted, news.notClosed}) {
+        if (!trouble)
+            continue;
+        if (worst)
+            printError(worst->message);
+        worst = trouble;
+    }
+    return worst;
 }
 
 /// Waits for the scan to be over; a signal ends it in order, a second one in a hurry. Gives the first.
@@ -235,7 +268,7 @@ Result<ExitCode> record(const RecordOptions& options)
                            {{0, *parameters}},
                            false,
                            options.extract,
-                           {options.retries, options.retries}},
+                           {options.retries, std::numeric_limits<int>::max()}},
                           eventsFor(news, running),
                           steadyClock()};
     running = &pipeline;
@@ -253,20 +286,25 @@ Result<ExitCode> record(const RecordOptions& options)
         interrupted = waitFor(pipeline, news, signals, opened->source->plannedSlices().value_or(0));
     }
 
-    if (news.failure)
-        return tl::unexpected{*news.failure};
-    if (news.notClosed)
-        return tl::unexpected{*news.notClosed};
-    if (news.outcome == ScanOutcome::Partial && !interrupted)
-        printWarning(options.output + ": " + std::to_string(pipeline.status().lost) +
-                     " slices of the plan are missing; the scan is marked as partial");
+    if (pipeline.status().acquired == 0 && !news.notClosed)
+        printWarning(options.output + ": no slice has come; nothing is left of this scan");
+    if (const auto trouble = worstOf(news))
+        return tl::unexpected{*trouble};
+    const bool isPartial = news.outcome == ScanOutcome::Partial && !interrupted;
+    if (isPartial) {
+        const int lost = pipeline.status().lost;
+        printWarning(options.output + ": " + countText(lost, "slice") + " of the plan " + (lost == 1 ? "is" : "are") +
+                     " missing; the scan is marked as partial");
+    }
     if (options.extract) {
         const auto steps = pipeline.take();
         const auto printed = steps.empty() ? Result<void>{} : print(planeTable(planeResults(*steps.back().snapshot)));
         if (!printed)
             return tl::unexpected{printed.error()};
     }
-    return interrupted ? static_cast<ExitCode>(128 + *interrupted) : ExitCode::Done;
+    if (interrupted)
+        return static_cast<ExitCode>(128 + *interrupted);
+    return isPartial ? ExitCode::Damaged : ExitCode::Done;
 }
 
 }  // namespace
@@ -274,19 +312,30 @@ Result<ExitCode> record(const RecordOptions& options)
 void addRecordCommand(CLI::App& program, Command& chosen)
 {
     CLI::App& command = *program.add_subcommand("record", "a recording of what a scanner sees now");
+    command.footer(
+        "Exit codes (what was recorded is valid with each of them):\n"
+        "  0  every slice of the plan is recorded\n"
+        "  4  some are missing; the scan is marked as partial\n"
+        "  5  slices could not be written\n"
+        "  6  a device is not there, or may not be used\n"
+        "  7  a device was lost\n"
+        "  10  a device waits for a person\n"
+        "  130  interrupted");
     auto options = std::make_shared<RecordOptions>();
     command
-        .add_option(
-            "--scanner", options->scanner,
-            "a laser: usb:SERIAL, tcp:HOST:PORT or serial:PATH; or sim:SCENE?seed=N&speed=X or replay:FILE?speed=X, "
-            "where speed 1 is real time, 0 as fast as possible")
+        .add_option("--scanner", options->scanner,
+                    "a laser: usb:SERIAL, tcp:HOST:PORT, serial:PATH or dialogue:FILE; or sim:SCENE?seed=N&speed=X or "
+                    "replay:FILE?speed=X, "
+                    "where speed 1 is real time, 0 as fast as possible")
         ->type_name("ADDRESS")
         ->required();
     addScanSetupOptions(command, options->setup);
-    addWholeNumber(
-        command, "--retries", options->retries, 0, 100,
-        "how often the scan goes on by itself at the missing slice after a link to a device has failed; never "
-        "after an emergency stop, an alarm or where something blocks the head (default 0)");
+    addWholeNumber(command, "--retries", options->retries, 0, 100,
+                   "how often in a row, without a slice between, the scan goes on by itself at the missing slice after "
+                   "a link to a "
+                   "device has failed; never after an emergency stop, an alarm or where something blocks the head "
+                   "(default 3, 0 for "
+                   "none)");
     command.add_option("-o", options->output, "recording to write (.pwscan)")->type_name("FILE")->required();
     command.add_flag("--append", options->append, "add the scan to a recording that is there");
     command.add_flag("--home", options->home, "bring the head to level first, slowly; Ctrl-C holds it at once");

@@ -11,7 +11,8 @@ namespace planewright {
 
 void addScanOption(CLI::App& command, int& scan)
 {
-    addWholeNumber(command, "--scan", scan, 0, kMaxStep, "number of the scan in a .pwscan (default: the last)");
+    addWholeNumber(command, "--scan", scan, 0, kMaxStep,
+                   "number of the scan in a .pwscan (default: the last that has slices)");
 }
 
 RecordingChoice chosenScan(int scan)

@@ -91,12 +91,12 @@ Result<void> checkKind(const ScanSetupOptions& options, SourceAddress::Kind kind
 void addScanSetupOptions(CLI::App& command, ScanSetupOptions& options)
 {
     command
-        .add_option(
-            "--tilt-unit", options.tiltUnit,
-            "what tilts the laser: dynamixel:usb:SERIAL?id=1&baud=57142, dynamixel:serial:PATH, board:usb:SERIAL or "
-            "board:serial:PATH; zero=, sign= and scale= tell how it is mounted, lowest= and highest= (degrees) where "
-            "it "
-            "may go, fastest= (degrees a second) how fast")
+        .add_option("--tilt-unit", options.tiltUnit,
+                    "what tilts the laser: dynamixel: or board:, and then usb:SERIAL, serial:PATH, tcp:HOST:PORT or "
+                    "dialogue:FILE, as in dynamixel:usb:SERIAL?id=1&baud=57142; zero=, sign= and scale= tell how it is "
+                    "mounted, lowest= and highest= (degrees) where "
+                    "it "
+                    "may go, fastest= (degrees a second) how fast")
         ->type_name("ADDRESS");
     command.add_option("--tilt", options.tilt, "pitch of the slices in degrees (default 10:170:1.16, 137 slices)")
         ->type_name("A:B:STEP");
@@ -132,7 +132,7 @@ Result<SourceSetup> sourceSetupOf(const ScanSetupOptions& options, SourceAddress
     SourceSetup setup;
     setup.simulation = {settings, defaultSimulationNoise(), 1, 1.0};
     setup.nodding = {options.tiltUnit, *plan, options.dialogueFolder,
-                     [](const std::string& line) { printWarning(line); }};
+                     [](const std::string& line) { printWaiting(line); }};
     return setup;
 }
 

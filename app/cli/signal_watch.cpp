@@ -12,8 +12,13 @@ SignalWatch::SignalWatch()
     ::sigemptyset(&watched_);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction present {};
-        if (::sigaction(signal, nullptr, &present) == 0 && present.sa_handler != SIG_IGN)
-            ::sigaddset(&watched_, signal);
+        if (::sigaction(signal, nullptr, &present) != 0)
+            continue;
+        if (signal == SIGINT && present.sa_handler == SIG_IGN)
+            ::signal(SIGINT, SIG_DFL);  // what is ignored may not even wait to be asked for
+        else if (present.sa_handler == SIG_IGN)
+            continue;
+        ::sigaddset(&watched_, signal);
     }
     ::pthread_sigmask(SIG_BLOCK, &watched_, &before_);
 }

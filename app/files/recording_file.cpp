@@ -26,15 +26,16 @@ Result<RecordingFile> read(const std::string& path, std::istream& input, const R
         Result<ReadPwscan> found = readRecordingPwscan(path, choice.scan);
         if (!found)
             return tl::unexpected{found.error()};
-        return RecordingFile{std::move(found->read.recording), found->read.damaged, std::move(found->notes),
-                             std::move(found->read.warnings)};
+        return RecordingFile{std::move(found->read.recording), found->read.damaged, found->read.slicesLeftOut,
+                             std::move(found->notes), std::move(found->read.warnings)};
     }
     if (choice.scan)
         return fail(ErrorCode::Usage, path + ": only a .pwscan holds several scans; leave --scan out");
     Result<ReadRecording> found = readRecordingCsv(input, path);
     if (!found)
         return tl::unexpected{found.error()};
-    return RecordingFile{std::move(found->recording), found->damaged, std::nullopt, std::move(found->warnings)};
+    return RecordingFile{std::move(found->recording), found->damaged, found->slicesLeftOut, std::nullopt,
+                         std::move(found->warnings)};
 }
 
 Result<void> leaveSuspectsOut(RecordingFile& file, const std::string& path)

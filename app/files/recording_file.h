@@ -17,14 +17,15 @@ namespace planewright {
 
 /// What is read of a recording.
 struct RecordingChoice {
-    std::optional<int> scan;     ///< of a .pwscan; the last without a number
+    std::optional<int> scan;     ///< of a .pwscan; without a number the last with slices
     bool keepsSuspects = false;  ///< slices whose angle may be wrong are among the slices
 };
 
 /// A recording, with what a .pwscan holds beside it.
 struct RecordingFile {
     Recording recording;
-    bool damaged = false;  ///< something had to be left out
+    bool damaged = false;   ///< something had to be left out
+    int slicesLeftOut = 0;  ///< of these, the slices, as far as they can be counted
     std::optional<ScanNotes> notes;
     std::vector<std::string> warnings;  ///< one line each, beginning with the file's name
 };

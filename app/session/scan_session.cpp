@@ -328,6 +328,11 @@ int ScanSession::scanInProject() const
     return parts_->opened.scan;
 }
 
+const std::optional<InputDamage>& ScanSession::damage() const
+{
+    return parts_->opened.damage;
+}
+
 const std::vector<StoredEdit>& ScanSession::storedEdits() const
 {
     return parts_->opened.edits;

@@ -128,6 +128,8 @@ public:
     PwscanProject* project();
     /// The scan's number in it.
     int scanInProject() const;
+    /// What the file that is open lacks; empty where it is sound, or nothing was opened from a file.
+    const std::optional<InputDamage>& damage() const;
     /// The edits that were in it when it was opened, undone ones too.
     const std::vector<StoredEdit>& storedEdits() const;
 

@@ -246,7 +246,10 @@ void SessionParts::connectRun()
                              "second"});
     });
     on(&SessionRun::recordingRecovered, [this] { log(LogLevel::Info, "all slices are on the disk again"); });
-    on(&SessionRun::recordingClosed, [this] { log(LogLevel::Info, recordedPath_ + ": recorded"); });
+    on(&SessionRun::recordingClosed, [this] {
+        const bool isEmpty = run->work().status().acquired == 0;
+        log(LogLevel::Info, recordedPath_ + (isEmpty ? ": no slice has come; nothing is left of it" : ": recorded"));
+    });
     on(&SessionRun::recordingGivenUp, [this](const Error& error) { tellFault(error); });
     on(&SessionRun::extractionFailed, [this](const Error& error) { tellFault(error); });
     on(&SessionRun::news, [this] {
@@ -316,7 +319,10 @@ void SessionParts::onEnded()
         }
         rerunHistory_.reset();
     }
-    openRecorded();
+    if (isEmpty && !recordedPath_.empty())
+        opened.project.reset();  // its file is gone
+    else
+        openRecorded();
     showMap();
     happen(isEmpty ? SessionHappening::CaughtUpEmpty : SessionHappening::CaughtUp);
 }

@@ -29,7 +29,7 @@ ScanEvents SessionRun::events()
     events.acquisition.onRecovering = [this](const Error& error, std::chrono::milliseconds wait) {
         post([this, error, wait] { emit sourceRecovering(error, wait); });
     };
-    events.acquisition.onRecords = [this](const std::vector<FaultRecord>& records) {
+    events.acquisition.onRecords = [this](const std::vector<FaultRecord>& records, const Error* /*fault*/) {
         post([this, records] { emit devicesTroubled(records); });
     };
     events.recording.onTrouble = [this](const Error& error) { post([this, error] { emit recordingTroubled(error); }); };

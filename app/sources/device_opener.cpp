@@ -214,7 +214,7 @@ Result<std::unique_ptr<Transport>> DeviceOpener::openLink(const DeviceAddress& a
 {
     switch (address.link) {
         case DeviceAddress::Link::Tcp:
-            return openTcpLink(address.name, address.port, clock_, clock_.now() + kConnectTimeout, stop);
+            return openTcp(address, stop);
         case DeviceAddress::Link::Serial:
             return openSerialLine(address.name, address.baud, clock_);
         case DeviceAddress::Link::Dialogue: {
@@ -226,6 +226,22 @@ Result<std::unique_ptr<Transport>> DeviceOpener::openLink(const DeviceAddress& a
             break;
     }
     return openUsb(address);
+}
+
+/// Where something has answered before, it is not another program that keeps the port.
+Result<std::unique_ptr<Transport>> DeviceOpener::openTcp(const DeviceAddress& address, const std::stop_token& stop)
+{
+    const std::pair place{address.name, address.port};
+    const auto wasThere = [&] {
+        const std::scoped_lock lock{mutex_};
+        return answered_.contains(place);
+    };
+    auto link = openTcpLink(address.name, address.port, clock_, clock_.now() + kConnectTimeout, stop, wasThere());
+    if (link) {
+        const std::scoped_lock lock{mutex_};
+        answered_.insert(place);
+    }
+    return link;
 }
 
 Result<UsbDevice> DeviceOpener::findUsb(const DeviceAddress& address)
@@ -279,7 +295,9 @@ Result<std::unique_ptr<Transport>> DeviceOpener::recorded(std::unique_ptr<Transp
         const std::string path = options_.dialogueFolder + "/" + device + "-" + std::to_string(number) + ".dialogue";
         if (std::filesystem::exists(path, unused))
             continue;
-        auto writer = DialogueWriter::create(path, link->name());
+        auto writer = DialogueWriter::create(
+            path, link->name(),
+            [log = log_, &clock = clock_](const std::string& text) { log->add(clock.now(), "dialogue-ended", text); });
         if (!writer)
             return tl::unexpected{writer.error()};
         return std::make_unique<DialogueRecorder>(std::move(link), std::move(*writer), clock_);

@@ -3,16 +3,20 @@
 
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/sources/device_access.h"
 #include "devices/clock.h"
+#include "devices/fault_log.h"
 #include "devices/scip/scip_connect.h"
 #include "devices/transport/transport.h"
 #include "devices/transport/usb_bus.h"
@@ -42,12 +46,17 @@ public:
     Result<std::unique_ptr<Laser>> openLaserOn(const UsbDevice& device, const std::stop_token& stop) override;
     Result<std::unique_ptr<TiltUnit>> openTiltUnit(const DeviceAddress& address, const std::stop_token& stop) override;
 
+    /// What went wrong beside the devices since this was last asked: dialogues that are recorded no further. Any
+    /// thread.
+    std::vector<FaultRecord> takeLog() { return log_->take(); }
+
 private:
     Result<std::shared_ptr<UsbBus>> bus();
     Result<std::unique_ptr<Laser>> openUsbLaser(const DeviceAddress& address, const std::stop_token& stop);
     Result<std::vector<UsbDevice>> lasersOf(const DeviceAddress& address);
     Result<UsbDevice> findUsb(const DeviceAddress& address);
     Result<std::unique_ptr<Transport>> openLink(const DeviceAddress& address, const std::stop_token& stop);
+    Result<std::unique_ptr<Transport>> openTcp(const DeviceAddress& address, const std::stop_token& stop);
     Result<std::unique_ptr<Transport>> openUsb(const DeviceAddress& address);
     /// The link itself, or one that is recorded as well.
     Result<std::unique_ptr<Transport>> recorded(std::unique_ptr<Transport> link, const std::string& device);
@@ -58,7 +67,9 @@ private:
     std::mutex mutex_;
     std::shared_ptr<UsbBus> bus_;
     std::function<void()> changed_;
-    std::map<std::string, std::string> lastPorts_;  ///< by the number of a laser: where it was plugged in
+    std::map<std::string, std::string> lastPorts_;              ///< by the number of a laser: where it was plugged in
+    std::set<std::pair<std::string, std::uint16_t>> answered_;  ///< hosts and ports at which something has answered
+    std::shared_ptr<FaultLog> log_ = std::make_shared<FaultLog>();  ///< of dialogues, whose threads use it, too
 };
 
 /// How a tilt unit is mounted and what it may do; where its address does not say otherwise its middle looks level, and

@@ -3,6 +3,7 @@
 
 #include "app/sources/open_source.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/files/recording_file.h"
@@ -55,6 +56,7 @@ Result<OpenedSource> openLaserOnTiltUnit(const DeviceAddress& laser, const Noddi
             note(**opened, *scanner);
         return opened;
     };
+    devices.takeLog = [opener] { return opener->takeLog(); };
     Result<std::unique_ptr<NoddingSource>> source = NoddingSource::open(std::move(devices), setup.plan, clock, stop);
     // Of a device that is gone before the scan nothing was lost.
     if (!source && source.error().code == ErrorCode::DeviceLost)
@@ -80,12 +82,26 @@ void openProject(const std::string& path, const ScanNotes& notes, OpenedSource& 
         opened.warnings.push_back(project.error().message);
 }
 
+/// How many steps the scan of a file was to have: what it says itself, or else those up to its last one; where it was
+/// cut short nobody knows.
+std::optional<int> plannedSlicesOf(const RecordingFile& file)
+{
+    const int steps = file.recording.slices.back().step + 1;
+    if (file.notes && file.notes->scan.plannedSlices)
+        return std::max(steps, *file.notes->scan.plannedSlices);
+    return file.damaged && !file.notes ? std::nullopt : std::optional(steps);
+}
+
 Result<OpenedSource> openFile(const std::string& path, double speed, const Clock& clock, const std::stop_token& stop)
 {
     Result<RecordingFile> file = loadRecordingFile(path, {}, stop);
     if (!file)
         return tl::unexpected{file.error()};
     OpenedSource opened;
+    const std::optional<int> planned = plannedSlicesOf(*file);
+    if (file->damaged)
+        opened.damage =
+            InputDamage{static_cast<int>(file->recording.slices.size()), file->slicesLeftOut, file->warnings};
     opened.warnings = std::move(file->warnings);
     if (file->notes) {
         Result<std::vector<ParametersFrom>> parameters = readParameterEvents(file->notes->events, path);
@@ -96,7 +112,7 @@ Result<OpenedSource> openFile(const std::string& path, double speed, const Clock
         openProject(path, *file->notes, opened);
     }
     opened.source = std::make_shared<ReplayedRecording>(std::make_shared<const Recording>(std::move(file->recording)),
-                                                        path.substr(path.rfind('/') + 1), clock, speed);
+                                                        path.substr(path.rfind('/') + 1), clock, speed, planned);
     return opened;
 }
 

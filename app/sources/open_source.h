@@ -21,12 +21,20 @@
 
 namespace planewright {
 
+/// What a file lacks that was opened all the same.
+struct InputDamage {
+    int slices = 0;                     ///< that are sound
+    int slicesLeftOut = 0;              ///< as far as they can be counted
+    std::vector<std::string> warnings;  ///< one line each, beginning with the file's name
+};
+
 /// A source that is ready, with what its file holds beside the slices.
 struct OpenedSource {
     std::shared_ptr<ScanSource> source;
     std::optional<FittedPlan> plan;          ///< of devices: what the scan is going to take
     std::optional<KnownScanner> scanner;     ///< of devices: what they said of themselves when they were opened
     std::vector<std::string> warnings;       ///< one line each
+    std::optional<InputDamage> damage;       ///< of a file; empty where it is sound
     std::vector<ParametersFrom> parameters;  ///< what a recording was extracted with; empty where it does not say
     std::optional<PwscanProject> project;    ///< of a `.pwscan`: where edits go
     int scan = 0;                            ///< its number in there

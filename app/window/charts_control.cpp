@@ -6,6 +6,7 @@
 #include <QFileDialog>
 
 #include "ui/charts/charts_panel.h"
+#include "ui/common/error_limit.h"
 #include "ui/common/scan_charts.h"
 
 namespace planewright {
@@ -36,7 +37,7 @@ ChartsControl::ChartsControl(WindowParts& parts) : QObject(&parts), parts_(parts
         parts_.window->showBottomPanel(panel_->objectName());
         panel_->setFocus();
     });
-    panel_->setCharts(scanCharts({}, parts_.session.parameters().planes.errorLimit));
+    panel_->setCharts(scanCharts({}, errorLimitOf(parts_.extractedWith())));
 }
 
 /// A timer that runs already is left alone, so that charts grow while steps come faster than they are drawn.
@@ -53,7 +54,7 @@ void ChartsControl::update()
     if (!panel_->isVisible())
         return;
     isOld_ = false;
-    panel_->setCharts(scanCharts(parts_.playhead.history(), parts_.session.parameters().planes.errorLimit));
+    panel_->setCharts(scanCharts(parts_.playhead.history(), errorLimitOf(parts_.extractedWith())));
     panel_->setPlace(parts_.playhead.place());
 }
 

@@ -7,8 +7,10 @@
 #include <array>
 #include <utility>
 
+#include "app/window/history_control.h"
 #include "core/params/presets.h"
 #include "core/params/registry.h"
+#include "ui/models/compared_phase.h"
 
 namespace planewright {
 
@@ -216,7 +218,14 @@ void CompareControl::showStep()
     const auto snapshot = playhead.snapshot();
     // The forced last pass has no step of its own; until it was made, the step before it is what is newest.
     const bool isLast = !snapshot || snapshot->report.step < 0;
-    const auto map = isLast ? history.newest() : history.after(static_cast<std::size_t>(playhead.place()) + 1);
+    std::shared_ptr<const SessionMap> map =
+        isLast ? history.newest() : history.after(static_cast<std::size_t>(playhead.place()) + 1);
+    QString fact;
+    if (auto phase = phaseOfBranch(fact)) {
+        auto within = std::make_shared<SessionMap>(*map);
+        within->snapshot = std::move(phase);
+        map = std::move(within);
+    }
     worker_.show({map, {}, history.description(), branch_->parameters()});
     model_.setMaps(parts_.shown->snapshot, map->snapshot);
     panel_->setTotals(parts_.shown->snapshot.get(), map->snapshot.get());
@@ -225,8 +234,31 @@ void CompareControl::showStep()
     words.stateColour = QColor(0x6a, 0x4c, 0x93);
     if (map->snapshot)
         words.facts = QStringList{tr("planes %1").arg(map->snapshot->planes.size())};
+    if (!fact.isEmpty())
+        words.facts.push_back(fact);
     parts_.window->secondView().setOverlay(words);
     takeSelection();
+}
+
+std::shared_ptr<const Snapshot> CompareControl::phaseOfBranch(QString& fact)
+{
+    const Playhead& playhead = parts_.playhead;
+    if (!playhead.phase() || !parts_.shownPhase)
+        return nullptr;
+    const int step = playhead.snapshot()->report.step;
+    const auto a = parts_.session.explained(step);
+    const auto b = branch_->history().explained(step);
+    if (!a || !b || *playhead.phase() >= (*a)->phases.size())
+        return nullptr;
+    const ComparedPhase beside = comparedPhase(**a, *playhead.phase(), **b);
+    const QString phase = phaseChipWords((*a)->phases[*playhead.phase()]);
+    if (beside.state == nullptr) {
+        fact = tr("has no such pass: at its end");
+        return nullptr;
+    }
+    fact = beside.isSame ? tr("after %1").arg(phase)
+                         : tr("%1 is not due: after %2").arg(phase, phaseChipWords(*beside.state));
+    return beside.state->snapshot;
 }
 
 void CompareControl::choosePlanes(PlaneId a, PlaneId b)

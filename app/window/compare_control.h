@@ -48,6 +48,8 @@ private:
     void takeGrown();
     void takeEnded();
     void showStep();
+    /// What B is beside the phase that is looked at; the fact tells which it is, empty for the whole step.
+    std::shared_ptr<const Snapshot> phaseOfBranch(QString& fact);
     void choosePlanes(PlaneId a, PlaneId b);
     void takeSelection();
     void showExample();

@@ -14,6 +14,7 @@
 #include <QStandardPaths>
 
 #include "app/files/recording_file.h"
+#include "app/window/asking.h"
 #include "app/window/screenshot.h"
 
 namespace planewright {
@@ -146,10 +147,10 @@ void FileControl::takeScreenshot()
 
 void FileControl::takeScreenshotWithOptions()
 {
-    QDialog dialog(parts_.window.get());
-    dialog.setObjectName(QStringLiteral("screenshotDialog"));
-    dialog.setWindowTitle(tr("Screenshot"));
-    auto* form = new QFormLayout(&dialog);
+    auto* dialog = new QDialog(parts_.window.get());
+    dialog->setObjectName(QStringLiteral("screenshotDialog"));
+    dialog->setWindowTitle(tr("Screenshot"));
+    auto* form = new QFormLayout(dialog);
     auto* what = new QComboBox;
     what->setObjectName(QStringLiteral("screenshotWhat"));
     what->addItems({tr("3D view"), tr("Whole window, as it is")});
@@ -166,19 +167,23 @@ void FileControl::takeScreenshotWithOptions()
     form->addRow(tr("&Show"), what);
     form->addRow(tr("&Width"), width);
     form->addRow(tr("&Height"), height);
-    connect(what, &QComboBox::currentIndexChanged, &dialog, [=](int index) {
+    connect(what, &QComboBox::currentIndexChanged, dialog, [=](int index) {
         width->setEnabled(index == 0);
         height->setEnabled(index == 0);
     });
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
     form->addRow(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-    if (dialog.exec() != QDialog::Accepted)
-        return;
-    const QString file = chosenTarget(tr("Save screenshot"), QStringLiteral("planewright.png"), tr("Pictures (*.png)"));
-    if (!file.isEmpty())
-        save(takePicture(parts_, {width->value(), height->value()}, what->currentIndex() == 1), file);
+    connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    connect(dialog, &QDialog::accepted, this, [=, this] {
+        const QSize size(width->value(), height->value());
+        const bool isWhole = what->currentIndex() == 1;
+        const QString file =
+            chosenTarget(tr("Save screenshot"), QStringLiteral("planewright.png"), tr("Pictures (*.png)"));
+        if (!file.isEmpty())
+            save(takePicture(parts_, size, isWhole), file);
+    });
+    ask(dialog);
 }
 
 void FileControl::validate()

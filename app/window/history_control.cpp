@@ -13,8 +13,9 @@ namespace {
 /// A playhead that is drawn along the timeline rests for less than this between two steps.
 constexpr std::chrono::milliseconds kPlayheadRest{60};
 
-/// A phase as the state chip names it.
-QString chipWordsOf(const PhaseState& state)
+}  // namespace
+
+QString phaseChipWords(const PhaseState& state)
 {
     const QString pass = QString::fromUtf8(state.pass.data(), static_cast<qsizetype>(state.pass.size()));
     switch (state.phase) {
@@ -37,8 +38,6 @@ QString chipWordsOf(const PhaseState& state)
         return HistoryControl::tr("the last pass");
     return HistoryControl::tr("the last pass: %1").arg(QString(pass).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
-
-}  // namespace
 
 Result<void> lookAtStep(WindowParts& parts, int step)
 {
@@ -103,7 +102,7 @@ void HistoryControl::takePhase()
     const auto step = phase ? explained() : nullptr;
     const PhaseState* state = step && *phase < step->phases.size() ? &step->phases[*phase] : nullptr;
     parts_.shownPhase = state != nullptr ? state->snapshot : nullptr;
-    emit phaseShown(state != nullptr ? chipWordsOf(*state) : QString());
+    emit phaseShown(state != nullptr ? phaseChipWords(*state) : QString());
     parts_.showMap();
 }
 

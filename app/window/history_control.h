@@ -6,6 +6,7 @@
 #include <memory>
 
 #include <QObject>
+#include <QString>
 #include <QTimer>
 
 #include "app/window/window_parts.h"
@@ -15,6 +16,9 @@ namespace planewright {
 /// Looks at the scan as it was after a step, or the last one before it, and at all of it from its last step on. Usage
 /// error where there is none.
 Result<void> lookAtStep(WindowParts& parts, int step);
+
+/// A phase, or a pass of the last one, as a state chip names it: "fitting planes".
+QString phaseChipWords(const PhaseState& state);
 
 /// Shows in every view the moment of the scan that the playhead is at, and tells how its step went.
 class HistoryControl : public QObject {

@@ -52,8 +52,11 @@ InspectorControl::InspectorControl(WindowParts& parts, HistoryControl& history)
     live_.setSingleShot(true);
     live_.setInterval(kLiveEvery);
     connect(&live_, &QTimer::timeout, this, [this] { showStep(false); });
-    connect(&parts_.playhead, &Playhead::placeChanged, this, [this] {
-        if (!live_.isActive())
+    connect(&parts_.playhead, &Playhead::placeChanged, this, [this](int place) {
+        // Where a scan begins anew nothing of the one before stays.
+        if (place < 0)
+            showStep(false);
+        else if (!live_.isActive())
             live_.start();
     });
     connect(&history_, &HistoryControl::rested, this, [this] {
@@ -125,7 +128,7 @@ void InspectorControl::showStep(bool byPhases)
     inspector_->setShownPhase(parts_.playhead.phase());
 }
 
-/// Clusters stand for their segments; what the map does not show cannot be selected.
+/// Clusters stand for their segments; what the map does not show, as pieces that are no segments, cannot be selected.
 void InspectorControl::select(const std::vector<Operand>& operands)
 {
     const std::shared_ptr<const Snapshot> now = parts_.playhead.snapshot();
@@ -140,11 +143,10 @@ void InspectorControl::select(const std::vector<Operand>& operands)
             planes.insert(plane->id);
         else if (const auto* segment = std::get_if<SegmentId>(&operand))
             segments.insert(*segment);
-        else
-            segments.merge([&] {
-                const auto all = segmentsOfCluster(std::get<ClusterRef>(operand).id, before, *now);
-                return std::set<SegmentId>(all.begin(), all.end());
-            }());
+        else if (const auto* cluster = std::get_if<ClusterRef>(&operand)) {
+            const std::vector<SegmentId> all = segmentsOfCluster(cluster->id, before, *now);
+            segments.insert(all.begin(), all.end());
+        }
     }
     std::erase_if(planes, [this](PlaneId plane) {
         return std::none_of(parts_.shown->planes.begin(), parts_.shown->planes.end(),

@@ -15,6 +15,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "app/window/asking.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/preferences_dialog.h"
@@ -122,8 +123,8 @@ void ProgramControl::connectHelp()
     const auto on = [&](const char* name, auto&& call) {
         connect(actions[QLatin1String(name)], &QAction::triggered, this, call);
     };
-    on("actShortcuts", [this, &actions] { ShortcutsDialog(actions.all(), parts_.window.get()).exec(); });
-    on("actCommandPalette", [this, &actions] { CommandPalette(actions.all(), parts_.window.get()).exec(); });
+    on("actShortcuts", [this, &actions] { ask(new ShortcutsDialog(actions.all(), parts_.window.get())); });
+    on("actCommandPalette", [this, &actions] { ask(new CommandPalette(actions.all(), parts_.window.get())); });
     on("actManual", [this] { showPage(tr("Manual"), QStringLiteral(":/manual/window.md")); });
     on("actParameterReference", [this] { showPage(tr("Parameters"), QStringLiteral(":/manual/parameters.md")); });
     on("actBugReport", [this] {
@@ -131,29 +132,28 @@ void ProgramControl::connectHelp()
         parts_.say(tr("Versions and the log are on the clipboard."));
     });
     on("actAbout", [this] {
-        AboutDialog({{tr("Planewright"), QStringLiteral(PLANEWRIGHT_VERSION)},
-                     {QStringLiteral("Qt"), QString::fromLatin1(qVersion())},
-                     {QStringLiteral("VTK"), QString::fromLatin1(vtkVersion::GetVTKVersion())}},
-                    parts_.window.get())
-            .exec();
+        ask(new AboutDialog({{tr("Planewright"), QStringLiteral(PLANEWRIGHT_VERSION)},
+                             {QStringLiteral("Qt"), QString::fromLatin1(qVersion())},
+                             {QStringLiteral("VTK"), QString::fromLatin1(vtkVersion::GetVTKVersion())}},
+                            parts_.window.get()));
     });
 }
 
 void ProgramControl::showPage(const QString& title, const QString& resource)
 {
     QFile file(resource);
-    QDialog dialog(parts_.window.get());
-    dialog.setObjectName(QStringLiteral("pageDialog"));
-    dialog.setWindowTitle(title);
-    dialog.resize(860, 640);
-    auto* layout = new QVBoxLayout(&dialog);
+    auto* dialog = new QDialog(parts_.window.get());
+    dialog->setObjectName(QStringLiteral("pageDialog"));
+    dialog->setWindowTitle(title);
+    dialog->resize(860, 640);
+    auto* layout = new QVBoxLayout(dialog);
     auto* text = new QTextBrowser;
     text->setOpenExternalLinks(false);
     text->setAccessibleName(title);
     if (file.open(QIODevice::ReadOnly))
         text->setMarkdown(QString::fromUtf8(file.readAll()));
     layout->addWidget(text);
-    dialog.exec();
+    ask(dialog);
 }
 
 void ProgramControl::openPreferences()
@@ -167,13 +167,13 @@ void ProgramControl::openPreferences()
             context.keptShortcuts.insert(action->objectName());
     }
     context.advancedActions = {actions[QStringLiteral("actResetLayout")]};
-    PreferencesDialog dialog(parts_.preferences, context, parts_.window.get());
-    connect(&dialog, &PreferencesDialog::applied, this, [this](const Preferences& preferences) {
+    auto* dialog = new PreferencesDialog(parts_.preferences, context, parts_.window.get());
+    connect(dialog, &PreferencesDialog::applied, this, [this](const Preferences& preferences) {
         parts_.preferences = preferences;
         savePreferences(parts_.preferences, parts_.settings);
         emit parts_.preferencesChanged();
     });
-    dialog.exec();
+    ask(dialog);
 }
 
 }  // namespace planewright

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <QApplication>
 #include <QDir>
@@ -76,6 +77,7 @@ void ScanControl::connectSession()
         parts_.selection.clear();
         parts_.edits.begin(parts_.session.project(), parts_.session.scanInProject(), parts_.session.storedEdits());
         parts_.showMap();
+        showFlawsOfFile();
     });
     connect(&session, &ScanSession::projectBegun, this, [this] {
         if (const auto moved = parts_.edits.moveInto(parts_.session.project(), parts_.session.scanInProject()); !moved)
@@ -86,7 +88,13 @@ void ScanControl::connectSession()
     connect(&session, &ScanSession::parametersChanged, this, [this] {
         const QSignalBlocker quiet(parts_.parametersPanel);
         parts_.parameters.setParameters(parts_.session.parameters());
-        parts_.planesPanel->setParameters(parts_.session.parameters());
+        parts_.planesPanel->setParameters(parts_.extractedWith());
+    });
+    connect(&session, &ScanSession::historyChanged, this, [this] {
+        const std::vector<ExtractedStep>& steps = parts_.session.history();
+        const auto parameters = steps.empty() ? nullptr : steps.back().parameters;
+        if (std::exchange(tableParameters_, parameters) != parameters)
+            parts_.planesPanel->setParameters(parts_.extractedWith());
     });
     connect(&session, &ScanSession::logLine, this, [this](LogLevel level, const QString& source, const QString& text) {
         parts_.log(level == LogLevel::Error     ? LogSeverity::Error
@@ -128,6 +136,33 @@ void ScanControl::showMotionStopped(bool isStopped)
         showFault(QString::fromStdString(parts_.fault->message));
     else
         parts_.window->banner().hide();
+}
+
+/// What a file that was opened lacks, and why it cannot be changed where that is no matter of where it lies.
+void ScanControl::showFlawsOfFile()
+{
+    QStringList sentences;
+    const auto& damage = parts_.session.damage();
+    if (damage && damage->slicesLeftOut > 0)
+        sentences << (damage->slicesLeftOut == 1 ? tr("%1 of %2 slices was damaged and left out.")
+                                                 : tr("%1 of %2 slices were damaged and left out."))
+                         .arg(damage->slicesLeftOut)
+                         .arg(damage->slices + damage->slicesLeftOut);
+    else if (damage)
+        sentences << tr("The file is damaged; what is sound of it is shown.");
+    const PwscanProject* project = parts_.session.project();
+    if (project != nullptr && project->readOnlyCause() == ReadOnlyCause::NewerVersion)
+        sentences << tr(
+            "The recording was written by a newer version of the program: it can be looked at and "
+            "exported here, and changed there.");
+    if (sentences.isEmpty())
+        return;
+    std::vector<Banner::Choice> choices;
+    if (damage)
+        choices.emplace_back(tr("Show the log"),
+                             [this] { parts_.window->showBottomPanel(QStringLiteral("logPanel")); });
+    parts_.window->banner().showMessage(damage ? Banner::Kind::Problem : Banner::Kind::Notice,
+                                        sentences.join(QLatin1Char(' ')), choices);
 }
 
 void ScanControl::open(const QString& fileOrAddress, bool starts)

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <memory>
+
 #include <QObject>
 
 #include "app/window/window_parts.h"
@@ -39,10 +41,12 @@ private:
     void act(const Result<void>& result);
     void showFault(const QString& text);
     void showMotionStopped(bool isStopped);
+    void showFlawsOfFile();
     void takeState(SessionState state);
     void takeStatus(const SessionStatus& status);
     void refreshActions();
     int newestStep() const;
+    int slicesSoFar() const;
     void refreshOverlay();
     void addRecent(const QString& file);
     void showRecent();
@@ -50,6 +54,7 @@ private:
     WindowParts& parts_;
     bool startsWhenReady_ = false;
     QString seenPhase_;
+    std::shared_ptr<const Parameters> tableParameters_;  ///< that the table of planes tells of
 };
 
 }  // namespace planewright

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 
 #include "app/window/scan_control.h"
+#include "ui/models/number_text.h"
 
 namespace planewright {
 
@@ -21,7 +22,7 @@ struct Chip {
     const char* colour;  ///< white on it has a contrast of 4.5 at least
 };
 
-/// Sign, words and colour of each state, in the order of the states.
+/// Sign, words and colour of each state, in the order of the states. What is read-only has a lock before it.
 constexpr std::array<Chip, kSessionStates> kChips{{{"○ No scan", "#5f6368"},
                                                    {"◌ Connecting…", "#1f5fae"},
                                                    {"● Ready", "#1f5fae"},
@@ -32,7 +33,28 @@ constexpr std::array<Chip, kSessionStates> kChips{{{"○ No scan", "#5f6368"},
                                                    {"✔ Complete", "#1b7a36"},
                                                    {"▶ Replaying", "#6a3fa0"},
                                                    {"▲ Fault", "#b3261e"},
-                                                   {"🔒 Read-only", "#5f6368"}}};
+                                                   {"Read-only", "#5f6368"}}};
+
+/// How far a scan is.
+QString progress(int steps, int planned)
+{
+    return QStringLiteral(" %1/%2").arg(steps).arg(planned > 0 ? QString::number(planned) : QStringLiteral("?"));
+}
+
+QString words(ReadOnlyCause cause)
+{
+    switch (cause) {
+        case ReadOnlyCause::NewerVersion:
+            return ScanControl::tr(": newer version");
+        case ReadOnlyCause::HeldElsewhere:
+            return ScanControl::tr(": opened elsewhere");
+        case ReadOnlyCause::NotWritable:
+            return ScanControl::tr(": cannot be written");
+        case ReadOnlyCause::None:
+            break;
+    }
+    return {};
+}
 
 QString bytes(std::uint64_t count)
 {
@@ -49,6 +71,14 @@ void ScanControl::setSeenPhase(const QString& phase)
 {
     seenPhase_ = phase;
     refreshOverlay();
+}
+
+/// Slices that are worked in; of a scan without gaps the number of its steps so far.
+int ScanControl::slicesSoFar() const
+{
+    const std::vector<ExtractedStep>& steps = parts_.session.history();
+    return static_cast<int>(
+        std::count_if(steps.begin(), steps.end(), [](const ExtractedStep& step) { return step.slice != nullptr; }));
 }
 
 /// The step of the newest slice that is worked in; −1 without one.
@@ -69,25 +99,32 @@ void ScanControl::refreshOverlay()
     OverlayContent content;
     content.stateColour = QColor(QLatin1String(chip.colour));
     content.stateText = parts_.session.goesHome() ? tr("⟳ Moving to level") : tr(chip.text);
+    if (state == SessionState::ReadOnly) {
+        content.locked = true;
+        if (const PwscanProject* project = parts_.session.project(); project != nullptr)
+            content.stateText += words(project->readOnlyCause());
+    }
     const int planned = map.plannedSteps;
     const bool looksBack = map.snapshot && !parts_.playhead.followsNewest();
     const int newest = newestStep();
     int last = map.step;
     if (state == SessionState::Scanning || state == SessionState::Replaying || state == SessionState::Paused) {
         last = looksBack ? newest : map.step;
-        content.stateText += QStringLiteral(" %1/%2").arg(last + 1).arg(planned);
+        content.stateText += progress(last + 1, planned);
     }
     if ((state == SessionState::Review || state == SessionState::ReadOnly) && map.snapshot) {
         last = newest >= 0 ? newest : map.step;
-        const bool whole = planned > 0 && last + 1 >= planned && status.lost == 0;
-        if (state == SessionState::Review) {
-            content.stateText = (whole ? tr("✔ Complete") : tr("◐ Partial"));
-            if (!whole)
-                content.stateColour = QColor(QStringLiteral("#8a5a00"));
-        }
-        content.stateText += QStringLiteral(" %1/%2").arg(last + 1).arg(planned);
-        const auto planes = static_cast<int>(map.planes.size());
-        content.stateText += planes == 1 ? tr(", 1 plane") : tr(", %1 planes").arg(planes);
+        const int slices = slicesSoFar();
+        const bool whole = planned > 0 && slices >= planned && status.lost == 0 && !parts_.session.damage();
+        if (state == SessionState::Review)
+            content.stateText = whole ? tr("✔ Complete") : tr("◐ Partial");
+        else if (!whole)
+            content.stateText += tr(", partial");
+        if (state == SessionState::Review && !whole)
+            content.stateColour = QColor(QStringLiteral("#8a5a00"));
+        content.stateText += progress(slices, planned);
+        content.stateText +=
+            QStringLiteral(", ") + countText(static_cast<qsizetype>(map.planes.size()), tr("plane"), tr("planes"));
     }
     if (parts_.session.isMotionStopped()) {
         content.stateText += tr(", motion stopped");
@@ -99,12 +136,14 @@ void ScanControl::refreshOverlay()
             content.stateText += tr(" after %1").arg(seenPhase_);
     }
     if (map.snapshot) {
-        std::size_t points = 0;
-        for (const auto& slice : map.slices)
-            points += slice->ranges.size();
+        qulonglong returns = 0;
+        for (const ExtractedStep& step : parts_.session.history()) {
+            const StepReport& report = step.snapshot->report;
+            returns += report.step >= 0 && report.step <= map.step ? static_cast<qulonglong>(report.counts.returns) : 0;
+        }
         const QLocale grouped(QLocale::English);
         content.facts = {
-            tr("points %1").arg(grouped.toString(static_cast<qulonglong>(points))),
+            tr("returns %1").arg(grouped.toString(returns)),
             tr("segments %1").arg(grouped.toString(static_cast<qulonglong>(map.snapshot->segments.segmentCount()))),
             tr("planes %1").arg(static_cast<int>(map.planes.size()))};
     }
@@ -139,7 +178,8 @@ void ScanControl::takeStatus(const SessionStatus& status)
     if (!status.recording.empty() && status.freeBytes)
         recording += tr(", %1 free").arg(bytes(*status.freeBytes));
     if (status.notOnDisk > 0)
-        recording += tr(", %1 slices not on disk").arg(status.notOnDisk);
+        recording +=
+            tr(", %1 not on disk").arg(countText(static_cast<qsizetype>(status.notOnDisk), tr("slice"), tr("slices")));
     window.setStatus(QStringLiteral("stRec"), recording, QString::fromStdString(status.recording),
                      status.notOnDisk > 0);
     refreshActions();

@@ -6,12 +6,30 @@
 #include <algorithm>
 
 #include <QImageWriter>
+#include <QPainter>
 #include <QSaveFile>
 
+#include "app/window/asking.h"
 #include "app/window/view_text.h"
 #include "core/params/registry.h"
 
 namespace planewright {
+
+namespace {
+
+/// What is open over the window is where it is seen, or as near to it as it fits in.
+void drawOver(QImage& image, QWidget& window, QWidget& dialog)
+{
+    const QPoint left(std::max(0, window.width() - dialog.width()), std::max(0, window.height() - dialog.height()));
+    const QPoint place = window.mapFromGlobal(dialog.mapToGlobal(QPoint()));
+    const QRect frame(QPoint(std::clamp(place.x(), 0, left.x()), std::clamp(place.y(), 0, left.y())), dialog.size());
+    QPainter painter(&image);
+    painter.drawPixmap(frame.topLeft(), dialog.grab());
+    painter.setPen(dialog.palette().color(QPalette::WindowText));
+    painter.drawRect(frame.adjusted(0, 0, -1, -1));
+}
+
+}  // namespace
 
 QImage takePicture(WindowParts& parts, QSize size, bool wholeWindow)
 {
@@ -20,6 +38,8 @@ QImage takePicture(WindowParts& parts, QSize size, bool wholeWindow)
     QImage image;
     if (wholeWindow) {
         image = parts.window->grab().toImage();
+        if (QWidget* dialog = openDialog(); dialog != nullptr && dialog->window() != parts.window.get())
+            drawOver(image, *parts.window, *dialog);
     } else {
         // Lines and text keep their size against the picture: at twice the size of the view they are twice as large.
         const QSize shown = view.size().expandedTo({1, 1});
@@ -40,6 +60,17 @@ QImage takePicture(WindowParts& parts, QSize size, bool wholeWindow)
                              QString::fromStdString(printParameter(parts.session.parameters(), row.key)));
     image.setText(QStringLiteral("Parameters"), parameters.join(QLatin1Char('\n')));
     return image;
+}
+
+Result<void> resizeForPicture(WindowParts& parts, QSize size)
+{
+    parts.window->resize(size);
+    const QSize made = parts.window->size();
+    if (made == size)
+        return {};
+    return fail(ErrorCode::Usage, "the window cannot be " + std::to_string(size.width()) + "x" +
+                                      std::to_string(size.height()) + ", only " + std::to_string(made.width()) + "x" +
+                                      std::to_string(made.height()) + "; choose another size");
 }
 
 Result<void> savePicture(const QImage& picture, const QString& file)

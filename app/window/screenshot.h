@@ -21,4 +21,8 @@ QImage takePicture(WindowParts& parts, QSize size, bool wholeWindow);
 /// end in .png; NotWritten.
 Result<void> savePicture(const QImage& picture, const QString& file);
 
+/// Makes the window as large as a picture of it is to be [px of the layout: a scaled screen has more]. Errors: Usage
+/// where it cannot be so small, or so large.
+Result<void> resizeForPicture(WindowParts& parts, QSize size);
+
 }  // namespace planewright

@@ -4,14 +4,20 @@
 #include "app/window/script_runner.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QDialog>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QMetaProperty>
 
+#include "app/window/asking.h"
 #include "app/window/history_control.h"
 #include "app/window/screenshot.h"
 #include "app/window/view_text.h"
@@ -22,7 +28,9 @@ namespace planewright {
 namespace {
 
 constexpr std::chrono::seconds kSettleTime{60};
-constexpr double kDefaultTimeout = 30.0;  // [s]
+constexpr double kDefaultTimeout = 30.0;      // [s]
+constexpr double kLongestTimeout = 86'400.0;  // [s]
+constexpr double kLargestNumber = 1e9;        // of steps, as in files
 
 tl::unexpected<Error> wrong(const QString& what)
 {
@@ -32,6 +40,14 @@ tl::unexpected<Error> wrong(const QString& what)
 QString text(const QJsonObject& line, const char* key)
 {
     return line.value(QLatin1String(key)).toString();
+}
+
+/// Empty where it is none, or too large for a step or a plane.
+std::optional<int> wholeNumber(const QJsonValue& value)
+{
+    const double number = value.toDouble(0.5);
+    const bool isWhole = std::abs(number) <= kLargestNumber && number == std::floor(number);
+    return isWhole ? std::optional(static_cast<int>(number)) : std::nullopt;
 }
 
 QString shown(const QJsonValue& value)
@@ -71,30 +87,41 @@ Result<void> ScriptRunner::run(const QString& file)
 
 Result<void> ScriptRunner::perform(const QJsonObject& line)
 {
+    struct Verb {
+        const char* name;
+        QStringList keys;
+        Result<void> (ScriptRunner::*perform)(const QJsonObject&);
+    };
+    static const std::array kVerbs{
+        Verb{"open", {"file", "address"}, &ScriptRunner::open},
+        Verb{"goto", {"step"}, &ScriptRunner::goTo},
+        Verb{"select", {"plane", "segment"}, &ScriptRunner::select},
+        Verb{"action", {"name"}, &ScriptRunner::trigger},
+        Verb{"set", {"object", "property", "value"}, &ScriptRunner::set},
+        Verb{"wait", {"state", "timeout"}, &ScriptRunner::wait},
+        Verb{"screenshot", {"file", "size", "window"}, &ScriptRunner::screenshot},
+        Verb{"expect", {"object", "property", "equals", "atLeast", "atMost"}, &ScriptRunner::expect},
+        Verb{"quit", {}, &ScriptRunner::quit}};
     const QString what = text(line, "do");
-    if (what == QLatin1String("open"))
-        return open(line);
-    if (what == QLatin1String("goto"))
-        return goTo(line);
-    if (what == QLatin1String("select"))
-        return select(line);
-    if (what == QLatin1String("action"))
-        return trigger(line);
-    if (what == QLatin1String("set"))
-        return set(line);
-    if (what == QLatin1String("wait"))
-        return wait(line);
-    if (what == QLatin1String("screenshot"))
-        return screenshot(line);
-    if (what == QLatin1String("expect"))
-        return expect(line);
-    if (what == QLatin1String("quit")) {
-        quits_ = true;
-        return {};
+    const auto verb = std::find_if(kVerbs.begin(), kVerbs.end(),
+                                   [&](const Verb& candidate) { return what == QLatin1String(candidate.name); });
+    if (verb == kVerbs.end())
+        return wrong(QStringLiteral("\"do\" is %1; known are open, goto, select, action, set, wait, screenshot, expect "
+                                    "and quit")
+                         .arg(shown(line.value(QLatin1String("do")))));
+    for (const QString& key : line.keys()) {
+        if (key != QLatin1String("do") && !verb->keys.contains(key))
+            return wrong(verb->keys.isEmpty() ? QStringLiteral("%1 has no key \"%2\"; it has none").arg(what, key)
+                                              : QStringLiteral("%1 has no key \"%2\"; it has %3")
+                                                    .arg(what, key, verb->keys.join(QStringLiteral(", "))));
     }
-    return wrong(QStringLiteral("\"do\" is %1; known are open, goto, select, action, set, wait, screenshot, expect and "
-                                "quit")
-                     .arg(shown(line.value(QLatin1String("do")))));
+    return (this->*verb->perform)(line);
+}
+
+Result<void> ScriptRunner::quit(const QJsonObject& /*line*/)
+{
+    quits_ = true;
+    return {};
 }
 
 void ScriptRunner::settle()
@@ -121,12 +148,19 @@ Result<void> ScriptRunner::open(const QJsonObject& line)
 
 Result<void> ScriptRunner::goTo(const QJsonObject& line)
 {
-    const QJsonValue step = line.value(QLatin1String("step"));
-    if (!step.isDouble())
-        return wrong(QStringLiteral("goto needs a number as \"step\""));
-    if (auto gone = lookAtStep(parts_, step.toInt()); !gone)
+    const auto step = wholeNumber(line.value(QLatin1String("step")));
+    if (!step)
+        return wrong(QStringLiteral("goto needs a whole number as \"step\", counted from 0"));
+    int last = -1;
+    for (const auto& snapshot : parts_.playhead.history())
+        last = std::max(last, snapshot->report.step);
+    if (last >= 0 && (*step < 0 || *step > last))
+        return wrong(QStringLiteral("there is no step %1; the scan has steps 0 to %2").arg(*step).arg(last));
+    if (auto gone = lookAtStep(parts_, *step); !gone)
         return gone;
-    waitUntil([&] { return parts_.session.map()->step <= step.toInt(); }, kSettleTime);
+    if (last < 0)
+        return wrong(QStringLiteral("the scan has no step yet; wait for its state first"));
+    waitUntil([&] { return parts_.session.map()->step <= *step; }, kSettleTime);
     settle();
     return {};
 }
@@ -134,12 +168,15 @@ Result<void> ScriptRunner::goTo(const QJsonObject& line)
 Result<void> ScriptRunner::select(const QJsonObject& line)
 {
     settle();
-    if (const QJsonValue plane = line.value(QLatin1String("plane")); plane.isDouble()) {
-        const PlaneId id = plane.toInt();
+    if (line.contains(QLatin1String("plane")) == line.contains(QLatin1String("segment")))
+        return wrong(QStringLiteral("select needs one of \"plane\" and \"segment\""));
+    if (line.contains(QLatin1String("plane"))) {
+        const auto id = wholeNumber(line.value(QLatin1String("plane")));
         const auto& planes = parts_.shown->planes;
-        if (std::none_of(planes.begin(), planes.end(), [id](const ShownPlane& p) { return p.plane->id == id; }))
-            return wrong(QStringLiteral("there is no plane %1 at this step").arg(id));
-        parts_.selection.select({id});
+        if (!id || std::none_of(planes.begin(), planes.end(), [id](const ShownPlane& p) { return p.plane->id == *id; }))
+            return wrong(
+                QStringLiteral("there is no plane %1 at this step").arg(shown(line.value(QLatin1String("plane")))));
+        parts_.selection.select({*id});
         return {};
     }
     if (const auto id = segmentIdOf(text(line, "segment"))) {
@@ -151,8 +188,8 @@ Result<void> ScriptRunner::select(const QJsonObject& line)
             return {};
         }
     }
-    return wrong(
-        QStringLiteral("select needs the id of a \"plane\", or a \"segment\" as \"step.index\", that is there"));
+    return wrong(QStringLiteral("there is no segment %1 at this step; one is named as \"step.index\"")
+                     .arg(shown(line.value(QLatin1String("segment")))));
 }
 
 Result<void> ScriptRunner::trigger(const QJsonObject& line)
@@ -163,7 +200,9 @@ Result<void> ScriptRunner::trigger(const QJsonObject& line)
         return wrong(QStringLiteral("there is no action %1; the list of shortcuts names them").arg(name));
     if (!action->isEnabled())
         return wrong(QStringLiteral("%1 is not possible now").arg(name));
-    action->trigger();
+    // A dialog that goes on by itself stays open: its fields are set like others, and "visible" false leaves it.
+    if (const QString asked = performUnasked([action] { action->trigger(); }); !asked.isEmpty())
+        return wrong(QStringLiteral("%1 waits for an answer in \"%2\", which a script cannot give").arg(name, asked));
     settle();
     return {};
 }
@@ -171,8 +210,11 @@ Result<void> ScriptRunner::trigger(const QJsonObject& line)
 Result<QObject*> ScriptRunner::objectOf(const QJsonObject& line)
 {
     const QString name = text(line, "object");
-    QObject* object =
-        parts_.window->objectName() == name ? parts_.window.get() : parts_.window->findChild<QObject*>(name);
+    QObject* object = nullptr;
+    for (QWidget* top : {openDialog(), static_cast<QWidget*>(parts_.window.get())}) {
+        if (object == nullptr && top != nullptr)
+            object = top->objectName() == name ? top : top->findChild<QObject*>(name);
+    }
     if (object == nullptr)
         return wrong(QStringLiteral("there is no object %1").arg(name));
     const QString property = text(line, "property");
@@ -186,6 +228,17 @@ Result<void> ScriptRunner::set(const QJsonObject& line)
     const auto object = objectOf(line);
     if (!object)
         return tl::unexpected{object.error()};
+    if (!line.contains(QLatin1String("value")))
+        return wrong(QStringLiteral("set needs a \"value\""));
+    if (auto* dialog = qobject_cast<QDialog*>(*object); dialog != nullptr && dialog == openDialog() &&
+                                                        text(line, "property") == QLatin1String("visible") &&
+                                                        line.value(QLatin1String("value")) == QJsonValue(false)) {
+        dialog->reject();
+        // By itself it would go only when the script is over.
+        QCoreApplication::sendPostedEvents(dialog, QEvent::DeferredDelete);
+        settle();
+        return {};
+    }
     if (!(*object)->setProperty(text(line, "property").toUtf8().constData(),
                                 line.value(QLatin1String("value")).toVariant()))
         return wrong(QStringLiteral("%1 of %2 cannot be %3")
@@ -201,7 +254,10 @@ Result<void> ScriptRunner::wait(const QJsonObject& line)
     if (known == kSessionStateNames.end())
         return wrong(QStringLiteral("there is no state %1").arg(QString::fromStdString(wanted)));
     const auto state = static_cast<SessionState>(known - kSessionStateNames.begin());
-    const double timeout = line.value(QLatin1String("timeout")).toDouble(kDefaultTimeout);
+    const double timeout =
+        line.contains(QLatin1String("timeout")) ? line.value(QLatin1String("timeout")).toDouble(-1.0) : kDefaultTimeout;
+    if (!(timeout >= 0.0 && timeout <= kLongestTimeout))
+        return wrong(QStringLiteral("\"timeout\" is a number of seconds, from 0 to %1").arg(kLongestTimeout));
     const bool reached = waitUntil([&] { return parts_.session.state() == state; },
                                    std::chrono::milliseconds(static_cast<long>(1000.0 * timeout)));
     if (!reached)
@@ -215,16 +271,29 @@ Result<void> ScriptRunner::wait(const QJsonObject& line)
 Result<void> ScriptRunner::screenshot(const QJsonObject& line)
 {
     settle();
+    const QJsonValue given = line.value(QLatin1String("size"));
+    const QJsonValue window = line.value(QLatin1String("window"));
     QSize size;
-    if (const QString given = text(line, "size"); !given.isEmpty()) {
-        const auto read = readPictureSize(given.toStdString());
+    if (!given.isUndefined()) {
+        const auto read = readPictureSize(given.toString().toStdString());
         if (!read)
             return wrong(QStringLiteral("\"size\" is like \"1280x800\", each side from %1 to %2")
                              .arg(kFewestPixels)
                              .arg(kMostPixels));
         size = {read->width, read->height};
     }
-    return savePicture(takePicture(parts_, size, line.value(QLatin1String("window")).toBool()), text(line, "file"));
+    if (!window.isUndefined() && !window.isBool())
+        return wrong(QStringLiteral("\"window\" is true or false"));
+    if (!window.toBool() || size.isEmpty())
+        return savePicture(takePicture(parts_, size, window.toBool()), text(line, "file"));
+    const QSize before = parts_.window->size();
+    Result<void> done = resizeForPicture(parts_, size);
+    if (done) {
+        settle();
+        done = savePicture(takePicture(parts_, {}, true), text(line, "file"));
+    }
+    parts_.window->resize(before);
+    return done;
 }
 
 Result<void> ScriptRunner::expect(const QJsonObject& line)
@@ -233,6 +302,15 @@ Result<void> ScriptRunner::expect(const QJsonObject& line)
     const auto object = objectOf(line);
     if (!object)
         return tl::unexpected{object.error()};
+    int limits = 0;
+    for (const char* key : {"equals", "atLeast", "atMost"}) {
+        const QJsonValue limit = line.value(QLatin1String(key));
+        limits += limit.isUndefined() ? 0 : 1;
+        if (key != std::string_view("equals") && !limit.isUndefined() && !limit.isDouble())
+            return wrong(QStringLiteral("\"%1\" is a number").arg(QLatin1String(key)));
+    }
+    if (limits == 0)
+        return wrong(QStringLiteral("expect needs \"equals\", \"atLeast\" or \"atMost\""));
     const QJsonValue value = QJsonValue::fromVariant((*object)->property(text(line, "property").toUtf8().constData()));
     const auto holds = [&](const char* key, auto compare) {
         const QJsonValue limit = line.value(QLatin1String(key));

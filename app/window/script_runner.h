@@ -36,6 +36,7 @@ private:
     Result<void> wait(const QJsonObject& line);
     Result<void> screenshot(const QJsonObject& line);
     Result<void> expect(const QJsonObject& line);
+    Result<void> quit(const QJsonObject& line);
     Result<QObject*> objectOf(const QJsonObject& line);
     void settle();
 

@@ -269,6 +269,8 @@ void TimelineControl::takeProject()
     faults_.clear();
     bookmarkedSteps_.clear();
     if (PwscanProject* project = parts_.session.project()) {
+        if (const auto events = project->events(parts_.session.scanInProject()))
+            faults_ = troublesIn(*events);
         const auto text = project->setting(parts_.session.scanInProject(), kBookmarksKey);
         if (text && *text)
             bookmarkedSteps_ = bookmarkedStepsOf(**text);
@@ -357,7 +359,7 @@ void TimelineControl::showColumns()
             columns[static_cast<std::size_t>(place)].edits.push_back(line);
     }
     for (const auto& [step, line] : faults_) {
-        const int place = placeOfStep(step);
+        const int place = placeOfFault(parts_.playhead, step, !isGoingOn());
         if (place >= 0 && place < static_cast<int>(columns.size()))
             columns[static_cast<std::size_t>(place)].faults.push_back(line);
     }

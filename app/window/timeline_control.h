@@ -66,7 +66,7 @@ private:
     TimelinePanel* panel_;
     std::vector<TimelineColumn> columns_;          ///< as the history says
     std::shared_ptr<const Snapshot> first_;        ///< of these
-    std::vector<std::pair<int, QString>> faults_;  ///< that were told of while the scan went on, with their steps
+    std::vector<std::pair<int, QString>> faults_;  ///< told of while the scan went on, or by its file, with their steps
     /// How many there were, and how many of them in force.
     std::optional<std::pair<std::size_t, std::size_t>> editsTaken_;
     std::vector<std::pair<int, QString>> edits_;  ///< with their places

@@ -3,9 +3,12 @@
 
 #include "app/window/timeline_words.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 
 #include "core/pipeline/step_replay.h"
 #include "core/types/plane_words.h"
@@ -17,6 +20,20 @@ namespace {
 QString timelineWords(const char* text)
 {
     return QCoreApplication::translate("Timeline", text);
+}
+
+/// What an event tells, in one line: plain text, or JSON with a message. Files of others hold whatever they like.
+QString wordsIn(const std::string& payload)
+{
+    constexpr qsizetype kLongest = 200;
+    QString text = QString::fromStdString(payload);
+    const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(payload));
+    if (json.isObject()) {
+        const QString message = json[QStringLiteral("message")].toString();
+        text = message.isEmpty() && json.object().isEmpty() ? QString() : message.isEmpty() ? text : message;
+    }
+    text = text.simplified();
+    return text.size() > kLongest ? text.left(kLongest - 1) + QStringLiteral("…") : text;
 }
 
 }  // namespace
@@ -67,6 +84,32 @@ QStringList troublesOf(const ExtractedStep& step, const ExtractedStep* before)
     if (step.measured->retaken)
         troubles.push_back(timelineWords("taken again after a fault"));
     return troubles;
+}
+
+std::vector<std::pair<int, QString>> troublesIn(std::span<const ScanEvent> events)
+{
+    std::vector<std::pair<int, QString>> troubles;
+    for (const ScanEvent& event : events) {
+        const bool isFault = event.kind == ScanEvent::Kind::Fault;
+        if (!event.step || (!isFault && event.kind != ScanEvent::Kind::Recovered))
+            continue;
+        const QString told = wordsIn(event.payload);
+        const QString line = isFault ? timelineWords("a fault") : timelineWords("went on after a fault");
+        troubles.emplace_back(*event.step, told.isEmpty() ? line : isFault ? told : line + QStringLiteral(": ") + told);
+    }
+    return troubles;
+}
+
+int placeOfFault(const Playhead& playhead, int step, bool isOver)
+{
+    const Playhead::History& history = playhead.history();
+    if (history.empty())
+        return -1;
+    if (step == kLastPass)
+        return history.back()->report.step == kLastPass ? static_cast<int>(history.size()) - 1 : -1;
+    const bool isReached = std::any_of(history.begin(), history.end(),
+                                       [step](const auto& snapshot) { return snapshot->report.step >= step; });
+    return isReached || isOver ? std::max(playhead.placeOf(step), 0) : -1;
 }
 
 std::set<int> bookmarkedStepsOf(const std::string& text)

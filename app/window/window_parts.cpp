@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/models/preferences_store.h"
+#include "ui/panels/plain_fields.h"
 
 namespace planewright {
 
@@ -70,7 +71,7 @@ void WindowParts::makePanels()
     lookLayout->addWidget(clipBoxPanel);
     setupTabs_->addTab(sourcePanel, tr("Source"));
     setupTabs_->addTab(parametersPanel, tr("Parameters"));
-    setupTabs_->addTab(look, tr("Layers"));
+    setupTabs_->addTab(scrolling(look, setupTabs_), tr("Layers"));
     window->setPanel(QStringLiteral("dockSetup"), setupTabs_);
 
     planesPanel = new PlanesPanel(planes, selection);
@@ -122,6 +123,12 @@ void WindowParts::showMap()
         map = std::move(phase);
     }
     worker.show({std::move(map), edits.inForce(), session.description(), session.parameters()});
+}
+
+const Parameters& WindowParts::extractedWith() const
+{
+    const std::vector<ExtractedStep>& steps = session.history();
+    return steps.empty() || !steps.back().parameters ? session.parameters() : *steps.back().parameters;
 }
 
 void WindowParts::log(LogSeverity severity, const QString& source, const QString& text)

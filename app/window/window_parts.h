@@ -60,6 +60,9 @@ public:
     /// Something is still being worked out for what the window shows, or written.
     bool isAtWork() const { return worker.isBusy() || background.isBusy() || (isComparing && isComparing()); }
 
+    /// What the newest step was extracted with; the session's parameters without one.
+    const Parameters& extractedWith() const;
+
     /// Asks for the session's map with the edits in force.
     void showMap();
 

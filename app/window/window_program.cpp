@@ -79,13 +79,25 @@ bool isSafeMode(const WindowOptions& options, const QString& config)
 /// What the command line asks for beyond showing the window; the exit code.
 int perform(const WindowOptions& options, WindowParts& parts, ScanControl& scan)
 {
+    bool isDamaged = false;
+    const auto tellDamage = [&] {
+        if (const auto& damage = parts.session.damage()) {
+            isDamaged = true;
+            for (const std::string& warning : damage->warnings)
+                std::fprintf(stderr, "planewright: warning: %s\n", warning.c_str());
+        }
+    };
+    QObject listener;
+    QObject::connect(&parts.session, &ScanSession::projectChanged, &listener, tellDamage);
+    tellDamage();  // it may be open already
     if (!options.script.empty()) {
         ScriptRunner script(parts, scan);
         if (const auto done = script.run(QString::fromStdString(options.script)); !done)
             return tell(done.error());
     }
+    const auto whenDone = [&isDamaged] { return static_cast<int>(isDamaged ? ExitCode::Damaged : ExitCode::Done); };
     if (options.screenshot.empty())
-        return 0;
+        return whenDone();
     if (const auto rested = waitForRest(parts, kLongestScan); !rested)
         return tell(rested.error());
     if (options.step >= 0) {
@@ -97,7 +109,7 @@ int perform(const WindowOptions& options, WindowParts& parts, ScanControl& scan)
     const QSize size = options.wholeWindow ? QSize() : QSize(options.size.width, options.size.height);
     const auto saved =
         savePicture(takePicture(parts, size, options.wholeWindow), QString::fromStdString(options.screenshot));
-    return saved ? 0 : tell(saved.error());
+    return saved ? whenDone() : tell(saved.error());
 }
 
 }  // namespace
@@ -146,8 +158,10 @@ int runWindow(const WindowOptions& options, int& argc, char** argv)
         if (!plain)
             parts.window->saveLayout(parts.settings);
     };
-    if (options.offscreen && options.wholeWindow)
-        parts.window->resize(options.size.width, options.size.height);
+    if (options.offscreen && options.wholeWindow) {
+        if (const auto sized = resizeForPicture(parts, {options.size.width, options.size.height}); !sized)
+            return tell({ErrorCode::Usage, "--size: " + sized.error().message});
+    }
     if (options.theme == std::nullopt && !plain)
         follower.askDesktop();
     parts.window->show();

@@ -22,6 +22,11 @@ struct OperandText {
     }
     std::string operator()(PlaneRef plane) const { return "P" + std::to_string(plane.id); }
     std::string operator()(ClusterRef cluster) const { return "C" + std::to_string(cluster.id); }
+    std::string operator()(const PieceRef& piece) const
+    {
+        return std::to_string(piece.step) + ":" + std::to_string(piece.firstBeam) + "-" +
+               std::to_string(piece.lastBeam);
+    }
 };
 
 void appendOperands(std::string& line, const std::vector<Operand>& operands)

@@ -15,9 +15,9 @@ namespace planewright {
 Result<void> writeHistoryHeader(std::ostream& out, const Parameters& parameters);
 
 /// Writes the line of one step: its counts and decisions; segments are `step.index`, planes P and clusters C with their
-/// ids. The tests print numbers as they were compared, in SI units: angles are radians there, as nowhere else before
-/// the user. The report of the forced last pass (step -1) has `"phase":"finish"`. `times` adds `times_ms`, the
-/// milliseconds of each phase. Errors: NotWritten.
+/// ids, pieces that became no segment `step:first-last` with their beams. The tests print numbers as they were
+/// compared, in SI units: angles are radians there, as nowhere else before the user. The report of the forced last pass
+/// (step -1) has `"phase":"finish"`. `times` adds `times_ms`, the milliseconds of each phase. Errors: NotWritten.
 Result<void> writeHistoryLine(std::ostream& out, const StepReport& report, bool times);
 
 }  // namespace planewright

@@ -15,6 +15,7 @@ namespace planewright {
 
 struct PwscanProject::State {
     std::string path;
+    ReadOnlyCause cause = ReadOnlyCause::None;
     std::string readOnlyBecause;
     SqlDatabase database;
 };
@@ -53,15 +54,17 @@ Result<PwscanProject> PwscanProject::open(const std::string& path)
         return tl::unexpected{version.error()};
     if (*version > kPwscanVersion)
         return PwscanProject{std::make_unique<State>(
-            State{path, "the recording is of a newer version; change it with a newer version of the program",
+            State{path, ReadOnlyCause::NewerVersion,
+                  "the recording is of a newer version; change it with a newer version of the program",
                   std::move(*reading)})};
     auto writing = SqlDatabase::open(path, SqlDatabase::Access::Write, ErrorCode::NotWritten);
     if (!writing || writing->isReadOnly())
-        return PwscanProject{std::make_unique<State>(State{path, std::string{kNoPermission}, std::move(*reading)})};
+        return PwscanProject{std::make_unique<State>(
+            State{path, ReadOnlyCause::NotWritable, std::string{kNoPermission}, std::move(*reading)})};
     if (const auto tried = tryToWrite(*writing); !tried) {
         const bool busy = writing->failedBusy();
         return PwscanProject{std::make_unique<State>(
-            State{path,
+            State{path, busy ? ReadOnlyCause::HeldElsewhere : ReadOnlyCause::NotWritable,
                   busy ? std::string{"another program is writing to it; close it there and open the recording again"}
                        : std::string{kNoPermission},
                   std::move(*reading)})};
@@ -69,12 +72,17 @@ Result<PwscanProject> PwscanProject::open(const std::string& path)
     // The file may have been exchanged between the two.
     if (const auto again = checkPwscanSchema(*writing, path); !again)
         return tl::unexpected{again.error()};
-    return PwscanProject{std::make_unique<State>(State{path, {}, std::move(*writing)})};
+    return PwscanProject{std::make_unique<State>(State{path, ReadOnlyCause::None, {}, std::move(*writing)})};
 }
 
 const std::string& PwscanProject::readOnlyBecause() const
 {
     return state_->readOnlyBecause;
+}
+
+ReadOnlyCause PwscanProject::readOnlyCause() const
+{
+    return state_->cause;
 }
 
 const std::string& PwscanProject::path() const
@@ -142,6 +150,13 @@ Result<std::vector<StoredEdit>> PwscanProject::edits(int scan) const
 {
     ProblemList problems{state_->path, 1};
     return readEdits(state_->database, scan, problems);
+}
+
+Result<std::vector<ScanEvent>> PwscanProject::events(int scan) const
+{
+    ProblemList problems{state_->path, 1};
+    std::vector<std::string> warnings;
+    return readEvents(state_->database, scan, problems, warnings);
 }
 
 Result<std::optional<std::string>> PwscanProject::setting(std::optional<int> scan, std::string_view key) const

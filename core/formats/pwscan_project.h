@@ -17,6 +17,9 @@
 
 namespace planewright {
 
+/// What keeps a recording from being changed.
+enum class ReadOnlyCause { None, NewerVersion, HeldElsewhere, NotWritable };
+
 /// A `.pwscan` whose planes are being looked at and edited: its edits and settings, each on the disk when the call
 /// returns. Slices are read with readRecordingPwscan, and recorded with PwscanWriter, which may have the same file
 /// open.
@@ -33,8 +36,9 @@ public:
     PwscanProject& operator=(PwscanProject&&) noexcept;
     ~PwscanProject();
 
-    /// Why nothing can be changed, for people; empty where it can.
+    /// Why nothing can be changed, and what to do, for people; empty where it can.
     const std::string& readOnlyBecause() const;
+    ReadOnlyCause readOnlyCause() const;
 
     /// The scans that can be used, in order of id.
     Result<std::vector<ScanRecord>> scans() const;
@@ -45,6 +49,9 @@ public:
     Result<void> setUndone(int seq, bool undone);
     /// The edits of a scan in their order, undone ones too; those that cannot be read are left out.
     Result<std::vector<StoredEdit>> edits(int scan) const;
+
+    /// What happened during a scan, in its order; what cannot be read is left out.
+    Result<std::vector<ScanEvent>> events(int scan) const;
 
     /// Adds that a scan is extracted with these parameters, all of it, whatever was in force before.
     Result<void> appendParameters(int scan, const Parameters& parameters);

@@ -24,10 +24,13 @@ struct PwscanWriter::State {
     int slices = 0;
     std::size_t ranges = 0;
     std::optional<int> lastStep;
+    bool madeFile = false;
     bool closed = false;
 
     Result<void> reopen();
     Result<void> prepared(Result<void> done);
+    Result<void> end(Result<void> done);
+    Result<void> removeFile();
     bool holds(const ScanSlice& slice, std::string_view packed);
     void letGo();
 };
@@ -101,6 +104,7 @@ Result<PwscanWriter> PwscanWriter::create(const std::string& path, const ScanRec
     state->description = scan.description;
     state->startedUtc = scan.startedUtc;
     state->scan = *id;
+    state->madeFile = true;
     return PwscanWriter{std::move(state)};
 }
 
@@ -231,15 +235,53 @@ Result<void> PwscanWriter::close(ScanState state)
     const std::string update =
         "UPDATE scan SET state='" + std::string{name(state)} + "' WHERE id=" + std::to_string(s.scan);
     s.insert.reset();
-    if (auto updated = s.prepared(s.database->run(update.c_str())); !updated)
-        return updated;
+    return s.end(s.database->run(update.c_str()));
+}
+
+Result<void> PwscanWriter::discard()
+{
+    State& s = *state_;
+    if (auto ready = s.reopen(); !ready)
+        return ready;
+    s.insert.reset();
+    const std::string id = std::to_string(s.scan);
+    const auto slices = s.database->number("SELECT count(*) FROM slice WHERE scan_id=" + id);
+    const auto others = s.database->number("SELECT count(*) FROM scan WHERE id<>" + id);
+    if (!slices || !others)
+        return s.prepared(tl::unexpected{slices ? others.error() : slices.error()});
+    if (*slices != 0)
+        return close(ScanState::Partial);
+    if (s.madeFile && *others == 0)
+        return s.removeFile();
+    return s.end(s.database->inTransaction([&]() -> Result<void> {
+        for (const std::string table : {"event", "edit", "setting"}) {
+            if (auto removed = s.database->run(("DELETE FROM " + table + " WHERE scan_id=" + id).c_str()); !removed)
+                return removed;
+        }
+        return s.database->run(("DELETE FROM scan WHERE id=" + id).c_str());
+    }));
+}
+
+/// After the last statement: the file becomes one.
+Result<void> PwscanWriter::State::end(Result<void> done)
+{
+    if (!done)
+        return prepared(std::move(done));
     // Where another program has the file open, that one ends the -wal; the recording is whole with it, too.
-    auto merged = s.database->run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE");
-    if (!merged && !s.database->failedBusy())
-        return s.prepared(std::move(merged));
-    s.closed = true;
-    s.letGo();
+    auto merged = database->run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE");
+    if (!merged && !database->failedBusy())
+        return prepared(std::move(merged));
+    closed = true;
+    letGo();
     return {};
+}
+
+Result<void> PwscanWriter::State::removeFile()
+{
+    letGo();
+    const Result<void> removed = removeDatabase(path);
+    closed = removed.has_value();
+    return removed;
 }
 
 int PwscanWriter::scan() const

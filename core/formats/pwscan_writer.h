@@ -50,6 +50,10 @@ public:
     /// After that nothing can be written. Errors (NotWritten): the writer is still open, and may be closed again.
     Result<void> close(ScanState state);
 
+    /// Ends a scan that has no slices by taking it out of the file again, which is removed where it was made for this
+    /// scan alone. A scan that has slices is closed as partial. Errors as for close().
+    Result<void> discard();
+
     int scan() const;    ///< the scan's number in the file
     int slices() const;  ///< that have been written
     const std::string& path() const;

@@ -26,6 +26,7 @@ struct ReadRecording {
     Recording recording;
     std::vector<std::string> warnings;  ///< one line each, beginning with the file's name
     bool damaged = false;               ///< the file was cut short; what was complete is here
+    int slicesLeftOut = 0;              ///< of the damage, as far as they can be counted
 };
 
 /// Reads a recording from CSV text or from the same compressed with gzip (told apart by the first two bytes).

@@ -85,6 +85,7 @@ void RecordingPass::readRows(const RecordingHeader& header)
         const auto outcome = rows.read(*line, lines_.terminated(), lines_.number(), problems_);
         if (outcome == RowReader::Outcome::CutShort || (mayBeCut && outcome == RowReader::Outcome::Slice)) {
             tellCut(lines_.number(), "the last row was cut short and is dropped; the rows before it are used");
+            result.slicesLeftOut = 1;
             break;
         }
         if (outcome == RowReader::Outcome::Slice) {

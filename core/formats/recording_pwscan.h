@@ -27,10 +27,10 @@ struct ReadPwscan {
     ScanNotes notes;     ///< read.recording has the scan's description, too
 };
 
-/// Reads one scan of a `.pwscan`, the last without a number. The file is not trusted: its schema, and every row that is
-/// used, is held against what a recording must be, and a bad slice is named and left out. The limits are those of
-/// readRecordingCsv. Slices that are angle suspect are among the slices. The caller has made sure that the path is a
-/// regular file. Errors: Usage for a number that no scan has; Unreadable otherwise, naming the file.
+/// Reads one scan of a `.pwscan`, without a number the last that has slices. The file is not trusted: its schema, and
+/// every row that is used, is held against what a recording must be, and a bad slice is named and left out. The limits
+/// are those of readRecordingCsv. Slices that are angle suspect are among the slices. The caller has made sure that the
+/// path is a regular file. Errors: Usage for a number that no scan has; Unreadable otherwise, naming the file.
 Result<ReadPwscan> readRecordingPwscan(const std::string& path, std::optional<int> scan = std::nullopt);
 
 /// The scans of a file in order of their numbers. Errors as above.

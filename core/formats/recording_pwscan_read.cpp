@@ -43,11 +43,27 @@ void tellProblems(const ProblemList& problems, std::vector<std::string>& warning
         warnings.push_back(problems.fileName() + ": " + std::to_string(problems.more()) + " more of such problems");
 }
 
-Result<const ScanRecord*> choose(const std::vector<ScanRecord>& scans, std::optional<int> wanted,
+/// The last scan that has slices: a program that was killed before its first slice leaves one without. The last of all
+/// where none has.
+const ScanRecord& lastWithSlices(const std::vector<ScanRecord>& scans, SqlDatabase& database)
+{
+    auto select = database.prepare("SELECT 1 FROM slice NOT INDEXED WHERE scan_id=? LIMIT 1");
+    for (auto scan = scans.rbegin(); select && scan != scans.rend(); ++scan) {
+        const Result<bool> has = select->bind(std::int64_t{scan->id}).step();
+        if (!has)
+            break;
+        if (*has)
+            return *scan;
+        select->reset();
+    }
+    return scans.back();
+}
+
+Result<const ScanRecord*> choose(const std::vector<ScanRecord>& scans, std::optional<int> wanted, SqlDatabase& database,
                                  const std::string& path)
 {
     if (!wanted)
-        return &scans.back();
+        return &lastWithSlices(scans, database);
     std::string numbers;
     for (const ScanRecord& scan : scans) {
         if (scan.id == *wanted)
@@ -66,7 +82,7 @@ Result<ReadPwscan> readRecordingPwscan(const std::string& path, std::optional<in
     auto opened = openScans(path, problems);
     if (!opened)
         return tl::unexpected{opened.error()};
-    const auto chosen = choose(opened->scans, scan, path);
+    const auto chosen = choose(opened->scans, scan, opened->database, path);
     if (!chosen)
         return tl::unexpected{chosen.error()};
     ReadPwscan result;
@@ -75,7 +91,10 @@ Result<ReadPwscan> readRecordingPwscan(const std::string& path, std::optional<in
     recording.description = result.notes.scan.description;
     std::size_t ranges = 0;
     const SliceListener listener{[&](ScanSlice&& slice) { recording.slices.push_back(std::move(slice)); },
-                                 [&](const std::string& problem) { problems.add(problem, 0); }};
+                                 [&](const std::string& problem) {
+                                     ++result.read.slicesLeftOut;
+                                     problems.add(problem, 0);
+                                 }};
     if (const auto read = readSlices(opened->database, result.notes.scan.id, recording.description, ranges, listener);
         !read)
         return tl::unexpected{read.error()};

@@ -242,4 +242,16 @@ bool fileExists(const std::string& path)
            there != 0;
 }
 
+Result<void> removeDatabase(const std::string& path)
+{
+    sqlite3_vfs* const files = sqlite3_vfs_find(nullptr);
+    for (const char* const ending : {"-wal", "-shm", ""}) {
+        const int done = files == nullptr ? SQLITE_ERROR : files->xDelete(files, (path + ending).c_str(), 0);
+        if (done != SQLITE_OK && done != SQLITE_IOERR_DELETE_NOENT)
+            return fail(ErrorCode::NotWritten,
+                        path + ": cannot be removed, though it holds nothing; remove it yourself");
+    }
+    return {};
+}
+
 }  // namespace planewright

@@ -129,4 +129,8 @@ private:
 /// True where a file of this name, and with contents, is there.
 bool fileExists(const std::string& path);
 
+/// Removes a database that nobody has open, with the files that SQLite puts beside it. Fails with NotWritten where one
+/// of them stays; those that are not there are none.
+Result<void> removeDatabase(const std::string& path);
+
 }  // namespace planewright

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "core/formats/number_text.h"
 #include "core/types/angle_text.h"
@@ -17,11 +18,43 @@ constexpr double kMargin = 12.0;       // about the drawing [px]
 constexpr double kBelow = 26.0;        // for the bar [px]
 constexpr double kLabelHeight = 14.0;  // of a text of 12 px
 constexpr double kLetterWidth = 7.5;
+constexpr double kRim = 2.0;            // between a text and the edge of the picture [px]
 constexpr double kClosestLines = 20.0;  // of the grid [px]
+
+/// Whether a byte of UTF-8 is the first of a letter.
+bool beginsLetter(char byte)
+{
+    return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
+}
+
+std::ptrdiff_t lettersOf(std::string_view text)
+{
+    return std::count_if(text.begin(), text.end(), beginsLetter);
+}
 
 std::string pixels(double value)
 {
     return fixedText(value, 2);
+}
+
+/// Width that a text takes [px].
+double widthOf(std::string_view text)
+{
+    return kLetterWidth * static_cast<double>(lettersOf(text));
+}
+
+/// The text, or so much of it, with an ellipsis, as a width holds.
+std::string shortened(std::string_view text, double width)
+{
+    if (widthOf(text) <= width)
+        return std::string{text};
+    const auto letters = static_cast<std::size_t>(std::max(1.0, std::floor(width / kLetterWidth)));
+    std::size_t end = 0;
+    for (std::size_t taken = 0; end < text.size(); ++end) {
+        if (beginsLetter(text[end]) && ++taken == letters)
+            break;
+    }
+    return std::string{text.substr(0, end)} + "…";
 }
 
 /// 1, 2, 5, 10, 20, … metres: the least that is far enough.
@@ -119,8 +152,11 @@ void SvgDrawing::dot(std::string_view style, const Eigen::Vector2d& centre, doub
 
 bool SvgDrawing::label(std::string_view style, const Eigen::Vector2d& centre, std::string_view text)
 {
-    const Eigen::Vector2d at = toPicture(centre);
-    const Eigen::Vector2d half{0.5 * kLetterWidth * static_cast<double>(text.size()), 0.5 * kLabelHeight};
+    const Eigen::Vector2d picture = size();
+    const std::string shown = shortened(text, picture.x() - 2.0 * kRim);
+    const Eigen::Vector2d half{0.5 * widthOf(shown), 0.5 * kLabelHeight};
+    const Eigen::Vector2d inset = half + Eigen::Vector2d::Constant(kRim);
+    const Eigen::Vector2d at = toPicture(centre).cwiseMin(picture - inset).cwiseMax(inset);
     const Box box{at - half, at + half};
     const bool isFree = std::none_of(labels_.begin(), labels_.end(), [&](const Box& other) {
         return (box.lowest.array() < other.highest.array()).all() && (other.lowest.array() < box.highest.array()).all();
@@ -129,7 +165,7 @@ bool SvgDrawing::label(std::string_view style, const Eigen::Vector2d& centre, st
         return false;
     labels_.push_back(box);
     body_ += "<text class=\"" + markupText(style) + "\" x=\"" + pixels(at.x()) + "\" y=\"" +
-             pixels(at.y() + 0.3 * kLabelHeight) + "\" text-anchor=\"middle\">" + markupText(text) + "</text>\n";
+             pixels(at.y() + 0.3 * kLabelHeight) + "\" text-anchor=\"middle\">" + markupText(shown) + "</text>\n";
     return true;
 }
 
@@ -143,17 +179,28 @@ void SvgDrawing::grid()
     const Eigen::Vector2d from{lowest_.x(), lowest_.y() - 12.0 / scale_};
     line("bar", from, from + Eigen::Vector2d{step, 0.0});
     const Eigen::Vector2d at = toPicture(from);
-    body_ += "<text class=\"bar-text\" x=\"" + pixels(at.x() + step * scale_ + 6.0) + "\" y=\"" + pixels(at.y() + 4.0) +
-             "\">" + formatNumber(step) + " m</text>\n";
+    const std::string length = formatNumber(step) + " m";
+    const double begin = at.x() + step * scale_ + 6.0;
+    leastWidth_ = begin + widthOf(length) + kRim;
+    body_ += "<text class=\"bar-text\" x=\"" + pixels(begin) + "\" y=\"" + pixels(at.y() + 4.0) + "\">" + length +
+             "</text>\n";
+}
+
+/// Width and height of the picture [px].
+Eigen::Vector2d SvgDrawing::size() const
+{
+    const Eigen::Vector2d size = toPicture({highest_.x(), lowest_.y()}) + Eigen::Vector2d{kMargin, kMargin + kBelow};
+    return {std::max(size.x(), leastWidth_), size.y()};
 }
 
 std::string SvgDrawing::take(std::string_view title) &&
 {
-    const Eigen::Vector2d size = toPicture({highest_.x(), lowest_.y()}) + Eigen::Vector2d{kMargin, kMargin + kBelow};
+    const Eigen::Vector2d picture = size();
     const std::string words = markupText(title);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixels(size.x()) + " " + pixels(size.y()) +
-           "\" width=\"" + pixels(size.x()) + "\" height=\"" + pixels(size.y()) + "\" role=\"img\" aria-label=\"" +
-           words + "\">\n<title>" + words + "</title>\n" + std::move(body_) + "</svg>\n";
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixels(picture.x()) + " " +
+           pixels(picture.y()) + "\" width=\"" + pixels(picture.x()) + "\" height=\"" + pixels(picture.y()) +
+           "\" role=\"img\" aria-label=\"" + words + "\">\n<title>" + words + "</title>\n" + std::move(body_) +
+           "</svg>\n";
 }
 
 }  // namespace planewright

@@ -30,10 +30,12 @@ public:
     void line(std::string_view style, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
     /// A circle of a radius in pixels.
     void dot(std::string_view style, const Eigen::Vector2d& centre, double radius);
-    /// Centred on a point. False, and nothing is drawn, where it would cover a text before it.
+    /// Centred on a point, or as near to it as the picture holds all of it; a text wider than the picture is cut short
+    /// with an ellipsis. False, and nothing is drawn, where it would cover a text before it.
     bool label(std::string_view style, const Eigen::Vector2d& centre, std::string_view text);
 
-    /// Lines a metre apart, or 2, 5, 10, … where they would be closer than 20 pixels, and a bar of that length below.
+    /// Lines a metre apart, or 2, 5, 10, … where they would be closer than 20 pixels, and a bar of that length below;
+    /// a picture that is too narrow for the bar becomes wider.
     void grid();
 
     /// The whole drawing, with what it shows for those who do not see it.
@@ -41,6 +43,7 @@ public:
 
 private:
     Eigen::Vector2d toPicture(const Eigen::Vector2d& point) const;
+    Eigen::Vector2d size() const;
     void append(const Eigen::Vector2d& point);
 
     struct Box {
@@ -51,6 +54,7 @@ private:
     Eigen::Vector2d lowest_;
     Eigen::Vector2d highest_;
     double scale_ = 1.0;
+    double leastWidth_ = 0.0;  // [px]
     std::string body_;
     std::vector<Box> labels_;
 };

@@ -165,7 +165,8 @@ constexpr auto rowsOf(const PlaneParameters& /*part*/)
         Parameter{"planes.inlier-sigmas", &PlaneParameters::inlierSigmas, Unit::None, Range{0.0, 20.0}, "T",
                   "The inlier distance is never less than this many standard deviations of the end point."},
         Parameter{"planes.error-limit", &PlaneParameters::errorLimit, Unit::None, Range{0.1, 1000.0}, "e_f",
-                  "A plane with a larger fitting error is not made, and is split if it grew to it."},
+                  "With end points, a plane with a larger fitting error is not made, and is split if it grew to it; by "
+                  "likelihood E has no limit."},
         Parameter{"planes.refine-tolerance", &PlaneParameters::refineTolerance, Unit::None, Range{1e-15, 0.1},
                   "epsilon_min", "Refinement ends when the error falls by less than this fraction, Table VI."},
         Parameter{"planes.refine-iterations", &PlaneParameters::refineIterations, Unit::Count, Range{1.0, 1000.0},
@@ -227,9 +228,10 @@ constexpr auto rowsOf(const LikelihoodParameters& /*part*/)
                   "", "Planes that are not side by side merge when both normals are known to this standard deviation."},
         Parameter{"likelihood.final-gate", &LikelihoodParameters::finalGate, Unit::None, Range{1.0, 1000.0}, "",
                   "Segments beyond this chi-square take no part in the last fit."},
-        Parameter{"likelihood.split-sigmas", &LikelihoodParameters::splitSigmas, Unit::None, Range{0.5, 1000.0}, "",
-                  "A plane gives up its worst segments while its reduced chi-square is above 1 by so many "
-                  "standard deviations."},
+        Parameter{
+            "likelihood.split-sigmas", &LikelihoodParameters::splitSigmas, Unit::None, Range{0.5, 1000.0}, "",
+            "In the last pass a plane of at most 60 segments gives up its worst ones while its reduced chi-square "
+            "is above 1 by so many standard deviations."},
         Parameter{"likelihood.min-solid-angle", &LikelihoodParameters::minSolidAngle, Unit::None, Range{0.0, 10.0}, "",
                   "A plane must fill this solid angle as seen from the laser, in steradians, or have enough points."},
         Parameter{"likelihood.enough-points", &LikelihoodParameters::enoughPoints, Unit::Count, Range{4.0, 1000000.0},

@@ -33,10 +33,14 @@ std::shared_ptr<const DirectionCluster> published(GrowingCluster& cluster, const
 
 }  // namespace
 
-int EndPointMethod::extractLineSegments(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters)
+int EndPointMethod::extractLineSegments(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
+                                        StepRecorder& recorder)
 {
     map_.step = slice.step;
-    first_ = map_.segments.append(slice.step, extractor_.extract(slice, sensor, parameters));
+    trace_.clear();
+    SliceTrace* const trace = recorder.explains() ? &trace_ : nullptr;
+    first_ = map_.segments.append(slice.step, extractor_.extract(slice, sensor, parameters, trace));
+    tellDiscarded(trace_, slice.step, recorder);
     return extractor_.echoes();
 }
 

@@ -15,7 +15,8 @@ namespace planewright {
 /// The published method: planes from the end points of line segments.
 class EndPointMethod : public ExtractionMethod {
 public:
-    int extractLineSegments(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters) override;
+    int extractLineSegments(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
+                            StepRecorder& recorder) override;
     void assignToPlanes(const Parameters& parameters, StepRecorder& recorder) override;
     void addToClusters(const Parameters& parameters, StepRecorder& recorder) override;
     void fitPlanes(const Parameters& parameters, StepRecorder& recorder) override;
@@ -33,7 +34,9 @@ public:
 
 private:
     SegmentNumber numberOf(const SegmentId& segment) const;
+
     LineSegmentExtractor extractor_;
+    SliceTrace trace_;  // of the newest slice, where decisions are told
     PlaneMap map_;
     SegmentNumber first_ = 0;  // of the newest slice
     std::vector<SegmentNumber> unassigned_;

@@ -25,8 +25,8 @@ public:
     virtual ~ExtractionMethod() = default;
 
     /// Line 5: the segments of a new slice. Gives the number of beams with an echo.
-    virtual int extractLineSegments(const ScanSlice& slice, const SensorModel& sensor,
-                                    const Parameters& parameters) = 0;
+    virtual int extractLineSegments(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
+                                    StepRecorder& recorder) = 0;
     /// Line 6: segments of the slice that lie on a known plane join it.
     virtual void assignToPlanes(const Parameters& parameters, StepRecorder& recorder) = 0;
     /// Line 7: the rest is grouped by direction.

@@ -26,14 +26,16 @@ constexpr double kSampleGrowth = 1.1;
 }  // namespace
 
 int LikelihoodMethod::extractLineSegments(const ScanSlice& slice, const SensorModel& sensor,
-                                          const Parameters& parameters)
+                                          const Parameters& parameters, StepRecorder& recorder)
 {
     sensor_ = sensor;
     if (parameters.noise.estimated)
         rangeNoise_.add(slice, sensor, parameters.noise);
     adapt(parameters);
     fresh_.clear();
-    extractor_.extract(slice, sensor, inUse_, fresh_);
+    trace_.clear();
+    extractor_.extract(slice, sensor, inUse_, fresh_, recorder.explains() ? &trace_ : nullptr);
+    tellDiscarded(trace_, slice.step, recorder);
     map_.append(slice, sensor, fresh_);
     return extractor_.echoes();
 }

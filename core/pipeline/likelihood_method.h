@@ -17,7 +17,8 @@ namespace planewright {
 /// Planes by maximum likelihood from the statistics of line segments, with one pitch error a slice.
 class LikelihoodMethod : public ExtractionMethod {
 public:
-    int extractLineSegments(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters) override;
+    int extractLineSegments(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters,
+                            StepRecorder& recorder) override;
     void assignToPlanes(const Parameters& parameters, StepRecorder& recorder) override;
     void addToClusters(const Parameters& parameters, StepRecorder& recorder) override;
     void fitPlanes(const Parameters& parameters, StepRecorder& recorder) override;
@@ -46,6 +47,7 @@ private:
     PitchNoise pitchNoise_;
     Parameters inUse_;  // those of the step, with the noise that the scan has told: stages read these
     StatisticsExtractor extractor_;
+    SliceTrace trace_;                      // of the newest slice, where decisions are told
     std::vector<SegmentStatistics> fresh_;  // of the newest slice
     TrackMap map_;
     std::vector<SegmentNumber> unassigned_;

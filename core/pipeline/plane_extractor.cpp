@@ -101,7 +101,7 @@ void PlaneExtractor::work(const ScanSlice& slice, StepReport& report, StepRecord
     report.tilt = slice.tilt;
 
     recorder.begin(Phase::Extract);
-    report.counts.returns = method_->extractLineSegments(slice, sensor_, parameters_);
+    report.counts.returns = method_->extractLineSegments(slice, sensor_, parameters_, recorder);
     recorder.begin(Phase::Assign);
     method_->assignToPlanes(parameters_, recorder);
     recorder.begin(Phase::Cluster);

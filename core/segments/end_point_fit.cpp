@@ -29,14 +29,19 @@ int movablePoints(const PointRun& piece)
 /// Moves the border between two pieces that meet at a division to where their lines say it is.
 ///
 /// Points between them belong to neither so far. Both have at least kShortestPiece points, and keep three.
-void settleBorder(const SlicePoints& points, PointRun& left, PointRun& right, const SegmentParameters& parameters)
+void settleBorder(const SlicePoints& points, PointRun& left, PointRun& right, const SegmentParameters& parameters,
+                  std::vector<TracedPiece>* dropped)
 {
     const int low = left.last - movablePoints(left) + 1;
     const int high = right.first + movablePoints(right) - 1;
     const SliceLine leftLine = points.lineThrough({left.first, low - 1});
     const SliceLine rightLine = points.lineThrough({high + 1, right.last});
     const auto within = [&](const SliceLine& line, int beam) {
-        return line.distanceTo(points[beam]) <= splitDistance(points, beam, line.normal(), parameters);
+        const Test test{"line_distance", line.distanceTo(points[beam]), Comparison::LessEqual,
+                        splitDistance(points, beam, line.normal(), parameters)};
+        if (dropped != nullptr && !test.pass())
+            dropped->push_back(offTheLine(beam, test));
+        return test.pass();
     };
     // Of all borders in reach, the one with the smallest sum of squared distances to the two lines, where a point of
     // neither counts as much as one at the limit.
@@ -150,7 +155,7 @@ void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const Se
                      pieces.end());
     }
     for (std::size_t i = begin + 1; i < pieces.size(); ++i)
-        settleBorder(points, pieces[i - 1], pieces[i], parameters);
+        settleBorder(points, pieces[i - 1], pieces[i], parameters, dropped);
 }
 
 }  // namespace planewright

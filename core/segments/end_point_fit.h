@@ -27,7 +27,7 @@ int farthestFromChord(const SlicePoints& points, const PointRun& among, const Po
 /// division, and the few next to it, then go to that one of the two pieces whose line is nearer, since a point of the
 /// other wall as an end point would tilt the segment. Pieces come in bearing order, are appended and do not overlap.
 /// A run that needs no split stays whole; otherwise pieces of fewer than four points are left out. A trace, where
-/// there is one, is told of the divisions, and `dropped` gets the pieces left out.
+/// there is one, is told of the divisions, and `dropped` gets the pieces left out and points that end no piece.
 void splitByEndPointFit(const SlicePoints& points, const PointRun& run, const SegmentParameters& parameters,
                         std::vector<PointRun>& pieces, SliceTrace* trace = nullptr,
                         std::vector<TracedPiece>* dropped = nullptr);

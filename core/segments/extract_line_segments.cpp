@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/segments/breakpoints.h"
 #include "core/segments/end_point_fit.h"
@@ -112,23 +113,18 @@ LineSegment inSpace(const SlicePoints& points, const PointRun& piece, const Scan
 
 }  // namespace
 
-std::vector<int> LineSegmentExtractor::echoBeams() const
-{
-    std::vector<int> echoes;
-    for (int beam = 0; beam < points_.beams(); ++beam) {
-        if (points_.hasEcho(beam))
-            echoes.push_back(beam);
-    }
-    return echoes;
-}
-
 /// Echoes in no run of runs_ are alone between two breakpoints.
 void LineSegmentExtractor::traceRuns(const ScanSlice& slice, const Parameters& parameters, SliceTrace& trace,
-                                     std::vector<TracedPiece>& dropped) const
+                                     std::vector<TracedPiece>& dropped)
 {
+    echoes_.clear();
+    for (int beam = 0; beam < points_.beams(); ++beam) {
+        if (points_.hasEcho(beam))
+            echoes_.push_back(beam);
+    }
     auto run = runs_.begin();
     int before = -1;
-    for (const int beam : echoBeams()) {
+    for (const int beam : echoes_) {
         while (run != runs_.end() && run->last < beam)
             ++run;
         const bool isInRun = run != runs_.end() && run->first <= beam;
@@ -174,7 +170,7 @@ Segments LineSegmentExtractor::extract(const ScanSlice& slice, const SensorModel
         segments.back().id = {slice.step, static_cast<int>(segments.size()) - 1};
     }
     if (trace != nullptr)
-        addLeftovers(dropped, echoBeams(), *trace);
+        addLeftovers(std::move(dropped), echoes_, *trace);
     return segments;
 }
 

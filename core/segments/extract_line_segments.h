@@ -29,12 +29,12 @@ public:
 
 private:
     void traceRuns(const ScanSlice& slice, const Parameters& parameters, SliceTrace& trace,
-                   std::vector<TracedPiece>& dropped) const;
-    std::vector<int> echoBeams() const;
+                   std::vector<TracedPiece>& dropped);
 
     SlicePoints points_;
     std::vector<PointRun> runs_;
     std::vector<PointRun> pieces_;
+    std::vector<int> echoes_;  // beams with one, of a slice that is traced
 };
 
 }  // namespace planewright

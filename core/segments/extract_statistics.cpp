@@ -31,7 +31,8 @@ constexpr double kOneWeightRatio = 1.6;
 }  // namespace
 
 /// Leaves out up to two points at each end that do not lie on the line of the others: mixed pixels at an edge.
-void StatisticsExtractor::trimEnds(LinePiece& piece, const NoiseParameters& noise) const
+void StatisticsExtractor::trimEnds(LinePiece& piece, const NoiseParameters& noise,
+                                   std::vector<TracedPiece>* dropped) const
 {
     for (int side = 0; side < 2; ++side) {
         for (int trimmed = 0; trimmed < kTrimmedPoints && piece.points() > shortest_; ++trimmed) {
@@ -46,9 +47,12 @@ void StatisticsExtractor::trimEnds(LinePiece& piece, const NoiseParameters& nois
             const double along =
                 line.directionU * (points_.u(i) - others.u) + line.directionV * (points_.v(i) - others.v);
             const double leverage = 1.0 + 1.0 / others.count + along * along / std::max(line.along, kLeastVariance);
-            if (square(distanceTo(line, others, points_.u(i), points_.v(i))) <
-                square(kTrimSigmas) * leverage * variance)
+            const double deviation = square(distanceTo(line, others, points_.u(i), points_.v(i)));
+            if (deviation < square(kTrimSigmas) * leverage * variance)
                 break;
+            if (dropped != nullptr)
+                dropped->push_back(offTheLine(points_.beam(i), {"line_chi2", deviation / (leverage * variance),
+                                                                Comparison::Less, square(kTrimSigmas)}));
             piece.moments = others;
             piece.line = line;
             piece.variance = variance;
@@ -242,7 +246,7 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
 
     std::size_t kept = 0;
     for (LinePiece& piece : pieces) {
-        trimEnds(piece, parameters.noise);
+        trimEnds(piece, parameters.noise, trace != nullptr ? &dropped : nullptr);
         clip(piece, parameters.noise);
         LinePiece together;
         if (kept > 0 && belongTogether(pieces[kept - 1], piece, parameters, slice.bearingStep, together)) {
@@ -263,10 +267,10 @@ void StatisticsExtractor::extract(const ScanSlice& slice, const SensorModel& sen
             describe(pieces[i], parameters.noise, segments.emplace_back());
     }
     if (trace != nullptr) {
-        std::vector<int> echoes;
+        echoes_.clear();
         for (int i = 0; i < points_.count(); ++i)
-            echoes.push_back(points_.beam(i));
-        addLeftovers(dropped, echoes, *trace);
+            echoes_.push_back(points_.beam(i));
+        addLeftovers(std::move(dropped), echoes_, *trace);
     }
 }
 

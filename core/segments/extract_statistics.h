@@ -36,7 +36,7 @@ public:
 private:
     void traceRuns(const ScanSlice& slice, const Parameters& parameters, SliceTrace& trace) const;
     void tracePiece(const LinePiece& piece, int segment, SliceTrace& trace) const;
-    void trimEnds(LinePiece& piece, const NoiseParameters& noise) const;
+    void trimEnds(LinePiece& piece, const NoiseParameters& noise, std::vector<TracedPiece>* dropped) const;
     void clip(LinePiece& piece, const NoiseParameters& noise) const;
     bool belongTogether(const LinePiece& left, const LinePiece& right, const Parameters& parameters, double bearingStep,
                         LinePiece& together) const;
@@ -45,6 +45,7 @@ private:
     BeamPoints points_;
     int shortest_ = 0;  // points of the shortest piece
     StraightPieces straight_;
+    std::vector<int> echoes_;  // beams with one, of a slice that is traced
 };
 
 }  // namespace planewright

@@ -11,6 +11,15 @@
 
 namespace planewright {
 
+void SliceTrace::clear()
+{
+    runs.clear();
+    breaks.clear();
+    splits.clear();
+    joins.clear();
+    pieces.clear();
+}
+
 SliceTrace traceSlice(const ScanSlice& slice, const SensorModel& sensor, const Parameters& parameters)
 {
     SliceTrace trace;
@@ -52,28 +61,43 @@ TracedPiece tooFew(int firstBeam, int lastBeam, int points, Test test)
     return piece;
 }
 
-void addLeftovers(const std::vector<TracedPiece>& dropped, const std::vector<int>& echoes, SliceTrace& trace)
+TracedPiece offTheLine(int beam, const Test& test)
 {
-    const std::vector<TracedPiece> settled = trace.pieces;
-    const auto isIn = [](const TracedPiece& piece, int beam) {
-        return piece.firstBeam <= beam && beam <= piece.lastBeam;
+    TracedPiece piece;
+    piece.firstBeam = piece.lastBeam = beam;
+    piece.points = 1;
+    piece.fate = PieceFate::OffTheLines;
+    piece.tests.push_back(test);
+    return piece;
+}
+
+void addLeftovers(std::vector<TracedPiece> dropped, std::span<const int> echoes, SliceTrace& trace)
+{
+    const auto isLeft = [](const TracedPiece& a, const TracedPiece& b) { return a.firstBeam < b.firstBeam; };
+    std::stable_sort(dropped.begin(), dropped.end(), isLeft);
+    // Beams rise, and so do pieces and runs: each is passed once.
+    const auto goPast = [](auto& next, auto end, int beam) {
+        while (next != end && next->lastBeam < beam)
+            ++next;
+        return next != end && next->firstBeam <= beam;
     };
-    const auto holder = [&](const std::vector<TracedPiece>& pieces, int beam) {
-        return std::find_if(pieces.begin(), pieces.end(), [&](const TracedPiece& piece) { return isIn(piece, beam); });
-    };
+    const std::size_t settled = trace.pieces.size();
+    std::size_t kept = 0;
+    auto reason = dropped.cbegin();
+    auto run = trace.runs.cbegin();
     // Of a dropped piece as much as was left, and of echoes of none as many as are beside each other.
     const TracedPiece* of = nullptr;
     bool goesOn = false;
     for (const int beam : echoes) {
-        if (holder(settled, beam) != settled.end()) {
+        while (kept < settled && trace.pieces[kept].lastBeam < beam)
+            ++kept;
+        if (kept < settled && trace.pieces[kept].firstBeam <= beam) {
             goesOn = false;
             continue;
         }
-        const bool beginsRun = std::any_of(trace.runs.begin(), trace.runs.end(),
-                                           [&](const TracedRun& run) { return run.firstBeam == beam; });
-        const auto found = holder(dropped, beam);
-        const TracedPiece* const reason = found == dropped.end() ? nullptr : &*found;
-        if (goesOn && !beginsRun && reason == of) {
+        const bool beginsRun = goPast(run, trace.runs.cend(), beam) && run->firstBeam == beam;
+        const TracedPiece* const why = goPast(reason, dropped.cend(), beam) ? &*reason : nullptr;
+        if (goesOn && !beginsRun && why == of) {
             trace.pieces.back().lastBeam = beam;
             ++trace.pieces.back().points;
             continue;
@@ -81,16 +105,23 @@ void addLeftovers(const std::vector<TracedPiece>& dropped, const std::vector<int
         TracedPiece& piece = trace.pieces.emplace_back();
         piece.firstBeam = piece.lastBeam = beam;
         piece.points = 1;
-        piece.fate = reason != nullptr ? reason->fate : PieceFate::OffTheLines;
-        if (reason != nullptr)
-            piece.tests = reason->tests;
-        of = reason;
+        piece.fate = why != nullptr ? why->fate : PieceFate::OffTheLines;
+        if (why != nullptr)
+            piece.tests = why->tests;
+        of = why;
         goesOn = true;
     }
-    std::sort(trace.pieces.begin(), trace.pieces.end(),
-              [](const TracedPiece& a, const TracedPiece& b) { return a.firstBeam < b.firstBeam; });
+    std::sort(trace.pieces.begin(), trace.pieces.end(), isLeft);
     std::sort(trace.splits.begin(), trace.splits.end(),
               [](const TracedSplit& a, const TracedSplit& b) { return a.beam < b.beam; });
+}
+
+void tellDiscarded(const SliceTrace& trace, int step, StepRecorder& recorder)
+{
+    for (const TracedPiece& piece : trace.pieces) {
+        if (piece.segment < 0)
+            recorder.decide(DecisionKind::Reject, {PieceRef{step, piece.firstBeam, piece.lastBeam}}, piece.tests);
+    }
 }
 
 }  // namespace planewright

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/params/parameters.h"
 #include "core/types/scan_slice.h"
 #include "core/types/sensor_noise.h"
+#include "core/types/step_recorder.h"
 #include "core/types/step_report.h"
 
 namespace planewright {
@@ -61,7 +63,8 @@ struct TracedPiece {
     double length = 0.0;  ///< from the first point to the last [m]
     PieceFate fate = PieceFate::Segment;
     int segment = -1;         ///< place among the segments of the slice; −1 where it is none
-    std::vector<Test> tests;  ///< what it had to pass: "points", "length" [m], "points_of_line", "points_of_run"
+    std::vector<Test> tests;  ///< what it had to pass: "points", "length" [m], "points_of_line", "points_of_run",
+                              ///< "line_distance" [m], "line_chi2" [χ²]
 };
 
 /// What the segmentation of one slice did. Everything is in bearing order.
@@ -74,6 +77,9 @@ struct SliceTrace {
     std::vector<TracedSplit> splits;
     std::vector<TracedJoin> joins;
     std::vector<TracedPiece> pieces;
+
+    /// Empties it for another slice; its storage stays.
+    void clear();
 };
 
 /// What the extraction does with a slice, by the code that it runs (`method.estimator` says which). Where noise is
@@ -87,9 +93,15 @@ Parameters withNoise(Parameters parameters, const SensorNoise& noise);
 /// A piece that has too few points: the test gives name and limit.
 TracedPiece tooFew(int firstBeam, int lastBeam, int points, Test test);
 
+/// A point at the end of a piece that lies off its line: the test has its numbers.
+TracedPiece offTheLine(int beam, const Test& test);
+
 /// Ends a trace: of the pieces that were dropped on the way, what no other piece has taken over is discarded for the
-/// reason that they give; echoes of a run that are in none lie off the lines beside them. `echoes`: all their beams,
-/// in bearing order.
-void addLeftovers(const std::vector<TracedPiece>& dropped, const std::vector<int>& echoes, SliceTrace& trace);
+/// reason that they give, of several the first that was dropped; echoes of a run that are in none lie off the lines
+/// beside them. `echoes`: all their beams, in bearing order.
+void addLeftovers(std::vector<TracedPiece> dropped, std::span<const int> echoes, SliceTrace& trace);
+
+/// Tells of each piece that became no segment that it was rejected, and by which numbers.
+void tellDiscarded(const SliceTrace& trace, int step, StepRecorder& recorder);
 
 }  // namespace planewright

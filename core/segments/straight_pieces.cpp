@@ -12,6 +12,8 @@ namespace {
 
 /// How many points beside a division may change sides.
 constexpr int kMovablePoints = 6;
+/// A point at a border whose squared distance from a line is more variances than these is a stranger to it.
+constexpr double kStranger = kClipSigmas * kClipSigmas;
 /// Divisions one within the other before a piece is halved instead.
 constexpr int kDeepestDivision = 48;
 /// Two lines must explain a piece better than one by so much χ²: where points scatter by more than their noise tells,
@@ -196,6 +198,14 @@ void StraightPieces::tellDropped(int first, int last) const
                                    {"points", 0.0, Comparison::GreaterEqual, static_cast<double>(shortest_)}));
 }
 
+/// The deviation is squared, in variances.
+void StraightPieces::tellStranger(int point, double deviation) const
+{
+    if (dropped_ != nullptr)
+        dropped_->push_back(
+            offTheLine(points_->beam(point), {"line_chi2", deviation, Comparison::LessEqual, kStranger}));
+}
+
 void StraightPieces::open(int first, int last, int depth)
 {
     Open& added = open_.emplace_back();
@@ -273,7 +283,6 @@ void StraightPieces::settleBorder(LinePiece& left, LinePiece& right, const Noise
     const auto leftCost = costOf(leftSure);
     const auto rightCost = costOf(rightSure);
     // Of all borders in reach the one with the smallest sum of squares, where a stranger to both counts as a limit.
-    constexpr double kStranger = kClipSigmas * kClipSigmas;
     double sum = 0.0;
     double best = 0.0;
     int border = low;  // first point of the right piece
@@ -288,10 +297,10 @@ void StraightPieces::settleBorder(LinePiece& left, LinePiece& right, const Noise
     const int rightFirst = right.first;
     left.last = border - 1;
     right.first = border;
-    while (left.last >= low && leftCost(left.last) > kStranger)
-        --left.last;
-    while (right.first <= high && rightCost(right.first) > kStranger)
-        ++right.first;
+    for (; left.last >= low && leftCost(left.last) > kStranger; --left.last)
+        tellStranger(left.last, leftCost(left.last));
+    for (; right.first <= high && rightCost(right.first) > kStranger; ++right.first)
+        tellStranger(right.first, rightCost(right.first));
     if (left.last != leftLast) {
         left.moments = leftSure;
         if (left.last >= low)

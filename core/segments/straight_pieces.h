@@ -21,7 +21,7 @@ public:
     /// Runs between breakpoints are divided where a point is too far from its chord, in standard deviations
     /// (iterative end-point fit), and then where two lines explain a piece much better than one. Borders between
     /// pieces are settled by their lines. The pieces are fitted. A trace, where there is one, is told of the
-    /// divisions, and `dropped` gets what has too few points.
+    /// divisions, and `dropped` gets what has too few points, and points that lie off the lines beside them.
     std::span<LinePiece> divide(const BeamPoints& points, int shortest, const Parameters& parameters,
                                 SliceTrace* trace = nullptr, std::vector<TracedPiece>* dropped = nullptr);
 
@@ -44,6 +44,7 @@ private:
     void tellSplit(const ChordF& chord, int division, int depth, const Parameters& parameters) const;
     void tellBend(const LinePiece& piece, int division) const;
     void tellDropped(int first, int last) const;
+    void tellStranger(int point, double deviation) const;
     void settleBorder(LinePiece& left, LinePiece& right, const NoiseParameters& noise) const;
     bool hasOneVariance(const LinePiece& piece, const NoiseParameters& noise) const;
     int bestDivision(const LinePiece& piece, const NoiseParameters& noise) const;

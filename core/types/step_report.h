@@ -50,7 +50,13 @@ struct PlaneRef {
 struct ClusterRef {
     ClusterId id;
 };
-using Operand = std::variant<SegmentId, PlaneRef, ClusterRef>;
+/// Neighbouring echoes of a slice that became no segment, by their beams, both ends included.
+struct PieceRef {
+    int step = 0;
+    int firstBeam = 0;
+    int lastBeam = 0;
+};
+using Operand = std::variant<SegmentId, PlaneRef, ClusterRef, PieceRef>;
 
 /// How a value was compared with its limit.
 enum class Comparison { Less, LessEqual, Greater, GreaterEqual };

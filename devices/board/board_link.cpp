@@ -7,6 +7,8 @@
 #include <array>
 #include <string_view>
 
+#include "core/types/count_text.h"
+
 namespace planewright {
 
 using namespace board;
@@ -301,7 +303,7 @@ void BoardLink::logDamage(Time at)
     const std::uint64_t lost = parser_.counters().lostEvents;
     if (lost == lostEvents_)
         return;
-    log_.add(at, "board-lost-events", std::to_string(lost - lostEvents_) + " events did not come");
+    log_.add(at, "board-lost-events", countText(lost - lostEvents_, "event") + " did not come");
     lostEvents_ = lost;
     lostAt_ = clock_.now();
 }
@@ -323,7 +325,7 @@ void BoardLink::deliver(const Frame& frame, Time at)
     if (std::holds_alternative<HelloReply>(*message)) {
         // It may have been reset: times of before say nothing about those of now.
         sync_.restart();
-        newestBoardUs_ = 0;
+        lastBeatUs_ = 0;
     }
     Received received{*message, frame.seq, at, std::nullopt, Time{0}, ++order_};
     if (const auto stamp = stampOf(received.message)) {
@@ -373,9 +375,9 @@ void BoardLink::compareClocks(const HeartbeatReply& reply, Time sent, Time recei
     const auto us = [](std::uint64_t value) {
         return std::chrono::microseconds{static_cast<std::int64_t>(std::min(value, std::uint64_t{1} << 60))};
     };
-    if (reply.receivedUs < newestBoardUs_)
+    if (reply.receivedUs < lastBeatUs_)
         sync_.restart();
-    newestBoardUs_ = reply.sentUs;
+    lastBeatUs_ = reply.receivedUs;
     if (!sync_.add({sent, us(reply.receivedUs), us(reply.sentUs), received})) {
         ++unreadable_;
         log_.add(received, "board-times", "a heartbeat whose times cannot be");

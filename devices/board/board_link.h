@@ -145,7 +145,7 @@ private:
     std::deque<std::pair<std::uint16_t, Time>> sentBeats_;  ///< without a reply yet, and when they were sent
     std::deque<Received> inbox_;
     std::uint64_t order_ = 0;
-    std::uint64_t newestBoardUs_ = 0;
+    std::uint64_t lastBeatUs_ = 0;  ///< board clock when the last heartbeat reached it
     Time nextBeat_{0};
     int unanswered_ = 0;         ///< heartbeats since anything came
     std::uint64_t missing_ = 0;  ///< replies that did not come, and messages that nobody fetched

@@ -105,9 +105,10 @@ bool BoardTracker::takeReset()
 
 void BoardTracker::takeOne(const HeartbeatReply& reply, const BoardLink::Received& received)
 {
+    // Two that reach the board together are both received before it has sent the first reply.
     if (reply.receivedUs < boardUs_)
         restart();
-    boardUs_ = reply.sentUs;
+    boardUs_ = reply.receivedUs;
     look(reply.state, reply.fault, received.order);
 }
 

@@ -91,8 +91,8 @@ private:
     std::uint64_t armedOrder_ = 0;  ///< of what armed it
     std::uint16_t motion_ = 0;
     std::optional<int> goal_;
-    bool looksAtGoal_ = false;  ///< the next position must be the goal
-    std::uint64_t boardUs_ = 0;
+    bool looksAtGoal_ = false;   ///< the next position must be the goal
+    std::uint64_t boardUs_ = 0;  ///< its clock when the last heartbeat reached it
     std::uint32_t uptimeMs_ = 0;
     std::optional<int> lastPosition_;
     Time lastSampleAt_{0};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/types/count_text.h"
 #include "devices/dynamixel/echo_filter.h"
 #include "devices/dynamixel/packet_parser.h"
 #include "devices/dynamixel/status_error.h"
@@ -63,14 +64,18 @@ Result<void> DynamixelBus::listen(const ServoQuestion& question, std::span<const
     PacketParser parser{protocol_};
     const Time deadline = reply.asked + transferTime(sent.size() + answerBytes(protocol_, question.data.value_or(3))) +
                           returnDelay_ + 2 * settings_.latency + kReserve;
+    const Time latest = deadline + question.patience;
     std::array<std::uint8_t, 256> buffer;
     std::size_t heard = 0;
+    Time heardAt = reply.asked;
     while (reply.answers == 0 || question.waitsToTheEnd) {
-        const Result<Transport::Arrival> arrival = transport_.read(buffer, deadline, {});
+        const Time until = reply.answers == 0 ? latest : deadline;
+        const Result<Transport::Arrival> arrival = transport_.read(buffer, until, {});
         if (!arrival)
             return tl::unexpected(arrival.error());
         if (arrival->count == 0)
             break;
+        heardAt = arrival->at;
         const std::vector<std::uint8_t> rest = echo.push(std::span{buffer}.first(arrival->count));
         heard += rest.size();
         const std::size_t room = FaultLog::kMostBytes - reply.heard.size();
@@ -78,7 +83,7 @@ Result<void> DynamixelBus::listen(const ServoQuestion& question, std::span<const
                            rest.begin() + static_cast<std::ptrdiff_t>(std::min(room, rest.size())));
         for (const DynamixelPacket& packet : parser.push(rest))
             take(question, packet, arrival->at, reply);
-        if (clock_.now() > deadline)
+        if (clock_.now() > until)
             break;  // whoever talks without end is not waited for
     }
     reply.heardEcho = echo.heardEcho();
@@ -86,8 +91,9 @@ Result<void> DynamixelBus::listen(const ServoQuestion& question, std::span<const
     // an answer; with a second one behind it, it was an echo.
     if (reply.heardEcho && reply.answers == 0 && heard == 0) {
         for (const DynamixelPacket& packet : PacketParser{protocol_}.push(sent))
-            take(question, packet, clock_.now(), reply);
+            take(question, packet, heardAt, reply);
     }
+    reply.isTooLate = reply.answers > 0 && reply.arrived > deadline;
     if (reply.answers == 0 && reply.otherNumber < 0 && heard > 0)
         reply.kind = ServoReply::Kind::Damaged;
     return {};
@@ -174,7 +180,7 @@ void DynamixelBus::logFault(const ServoReply& reply, std::span<const std::uint8_
     if (const std::uint64_t overruns = transport_.health().overruns; overruns != overruns_) {
         log_.add(
             clock_.now(), "adapter-overrun",
-            "the adapter lost bytes " + std::to_string(overruns - overruns_) + " times: they were not fetched in time",
+            "the adapter lost bytes " + countText(overruns - overruns_, "time") + ": they were not fetched in time",
             reply.heard);
         overruns_ = overruns;
     }

@@ -22,9 +22,10 @@ namespace planewright {
 /// A question to one servo.
 struct ServoQuestion {
     DynamixelPacket request;
-    std::optional<std::size_t> data;  ///< bytes of data that the answer has; empty: any number
-    bool isAnswered = true;           ///< false where the servo is set to say nothing to it
-    bool waitsToTheEnd = false;       ///< goes on listening after the answer: does another one come?
+    std::optional<std::size_t> data;       ///< bytes of data that the answer has; empty: any number
+    bool isAnswered = true;                ///< false where the servo is set to say nothing to it
+    bool waitsToTheEnd = false;            ///< goes on listening after the answer: does another one come?
+    std::chrono::nanoseconds patience{0};  ///< listens so much longer where no sound answer has come in time
 };
 
 /// What came of one question.
@@ -42,6 +43,7 @@ struct ServoReply {
     std::chrono::nanoseconds arrived{0};      ///< when the answer had come
     std::chrono::nanoseconds measured{0};     ///< when the servo looked: see DynamixelBus::ask()
     std::chrono::nanoseconds uncertainty{0};  ///< of that
+    bool isTooLate = false;                   ///< answered, but later than is waited for without patience
     bool heardEcho = false;                   ///< our own bytes came back
     int answers = 0;                          ///< sound answers of this number
     int otherNumber = -1;                     ///< the number of a servo that answered in its place
@@ -70,7 +72,8 @@ public:
     /// answer, of which both are known by the time that bytes take: the middle of these, with half their distance as
     /// its uncertainty.
     ///
-    /// Waits as long as the bytes take, the return delay, twice the latency and 10 ms. Errors (DeviceLost): those of
+    /// Waits as long as the bytes take, the return delay, twice the latency and 10 ms, and the question's patience.
+    /// Errors (DeviceLost): those of
     /// the transport.
     Result<ServoReply> ask(const ServoQuestion& question);
 

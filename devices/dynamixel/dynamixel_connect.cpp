@@ -9,6 +9,22 @@ namespace planewright {
 namespace {
 
 constexpr std::chrono::milliseconds kOldAnswers{50};
+/// An answer that comes late must not be taken for silence, nor for one to the next question.
+constexpr std::chrono::milliseconds kPatience{150};
+constexpr int kPings = 2;
+/// Of a link that is slower than that the line is quiet after so long, and one answer is waited for.
+constexpr std::chrono::milliseconds kQuiet{400};
+constexpr std::chrono::milliseconds kLongestPatience{400};
+
+HowToAsk patiently(int tries, std::chrono::nanoseconds patience)
+{
+    return {false, tries, {}, patience};
+}
+
+std::uint64_t heardBy(const LinkHealth& health)
+{
+    return health.good + health.corrupt + health.late;
+}
 
 /// The bytes that tell model and firmware; not two, which would look like their own question.
 constexpr ServoRegion identityRegion(DynamixelProtocol protocol)
@@ -41,18 +57,60 @@ Result<void> DynamixelTilt::findAndLook(const std::stop_token& stop)
 {
     if (const auto fault = faultOf(options_.mounting))
         return fail(ErrorCode::Usage, link_.subject() + ": the mounting is wrong: " + *fault);
-    if (auto found = findProtocol(stop); !found)
-        return found;
-    const Result<const DynamixelModel*> model = findModel();
-    if (!model)
-        return tl::unexpected(model.error());
-    model_ = *model;
-    const Result<ServoReply> state = readAll();
+    const std::uint64_t heard = heardBy(link_.health());
+    const Result<ServoReply> state = find(stop);
+    if (!state && state.error().code == ErrorCode::NoDevice && heardBy(link_.health()) > heard) {
+        // Answers to earlier questions look like damage, like two servos, and like one that does not answer.
+        if (const auto quick = checkQuick(stop); !quick)
+            return quick;
+    }
     if (!state)
         return tl::unexpected(state.error());
     if (stop.stop_requested())
         return fail(ErrorCode::Interrupted, link_.subject() + ": connecting was stopped");
     return look(*state);
+}
+
+/// Protocol, model, and all that it says of itself; the answer with its state.
+Result<ServoReply> DynamixelTilt::find(const std::stop_token& stop)
+{
+    if (auto found = findProtocol(stop); !found)
+        return tl::unexpected(found.error());
+    const Result<const DynamixelModel*> model = findModel();
+    if (!model)
+        return tl::unexpected(model.error());
+    model_ = *model;
+    return readAll();
+}
+
+/// One question in each protocol, on a line that is quiet.
+Result<void> DynamixelTilt::checkQuick(const std::stop_token& stop)
+{
+    if (const auto quiet = link_.pause(kQuiet, stop); !quiet)
+        return quiet;
+    for (const DynamixelProtocol protocol : {DynamixelProtocol::One, DynamixelProtocol::Two}) {
+        if (stop.stop_requested())
+            return fail(ErrorCode::Interrupted, link_.subject() + ": connecting was stopped");
+        link_.setProtocol(protocol);
+        const Result<ServoReply> reply = link_.ping(patiently(1, kLongestPatience));
+        if (!reply)
+            return tl::unexpected(reply.error());
+        if (auto quick = checkQuick(*reply); !quick || reply->kind == ServoReply::Kind::Answered)
+            return quick;
+    }
+    return {};
+}
+
+/// Errors (NoDevice): it answers, and too late.
+Result<void> DynamixelTilt::checkQuick(const ServoReply& reply) const
+{
+    if (!reply.isTooLate)
+        return {};
+    return fail(ErrorCode::NoDevice,
+                link_.subject() + " answers too slowly: " +
+                    std::to_string(std::chrono::round<std::chrono::milliseconds>(reply.arrived - reply.asked).count()) +
+                    " ms after a question, and its angles must be known to 5 ms. Connect its adapter to this computer "
+                    "directly, set the adapter's latency timer to 1 ms, then connect again");
 }
 
 /// Pings in 1.0, then in 2.0.
@@ -66,9 +124,11 @@ Result<void> DynamixelTilt::findProtocol(const std::stop_token& stop)
         if (stop.stop_requested())
             return fail(ErrorCode::Interrupted, link_.subject() + ": connecting was stopped");
         link_.setProtocol(protocol);
-        Result<ServoReply> reply = link_.ping();
+        Result<ServoReply> reply = link_.ping(patiently(kPings, kPatience));
         if (!reply)
             return tl::unexpected(reply.error());
+        if (const auto quick = checkQuick(*reply); !quick)
+            return quick;
         const bool isOne = reply->kind == ServoReply::Kind::Answered && reply->answers == 1;
         if (isOne && !reply->heardEcho)
             return {};
@@ -98,9 +158,11 @@ Result<void> DynamixelTilt::findProtocol(const std::stop_token& stop)
 
 Result<const DynamixelModel*> DynamixelTilt::findModel()
 {
-    const Result<ServoReply> reply = link_.read(identityRegion(link_.protocol()), image_);
+    const Result<ServoReply> reply = link_.read(identityRegion(link_.protocol()), image_, patiently(kPings, kPatience));
     if (!reply)
         return tl::unexpected(reply.error());
+    if (const auto quick = checkQuick(*reply); !quick)
+        return tl::unexpected(quick.error());
     if (reply->kind == ServoReply::Kind::Silent && !reply->heardEcho)
         return fail(ErrorCode::NoDevice,
                     link_.subject() +

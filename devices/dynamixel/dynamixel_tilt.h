@@ -90,6 +90,9 @@ private:
     Result<void> findProtocol(const std::stop_token& stop);
     Result<const DynamixelModel*> findModel();
     Result<void> findAndLook(const std::stop_token& stop);
+    Result<ServoReply> find(const std::stop_token& stop);
+    Result<void> checkQuick(const std::stop_token& stop);
+    Result<void> checkQuick(const ServoReply& reply) const;
     Result<ServoReply> readAll();
     Result<void> look(const ServoReply& reply);
     Result<void> stopWhatWasLeft();

@@ -38,9 +38,9 @@ void ServoLink::setReturnDelay(std::chrono::nanoseconds delay)
     bus_.setReturnDelay(delay);
 }
 
-Result<ServoReply> ServoLink::ping()
+Result<ServoReply> ServoLink::ping(const HowToAsk& how)
 {
-    return ask([&] { return ServoQuestion{pingRequest(settings_.id), std::nullopt, true, true}; }, {});
+    return ask([&] { return ServoQuestion{pingRequest(settings_.id), std::nullopt, true, true}; }, how);
 }
 
 Result<ServoReply> ServoLink::read(ServoRegion region, RegisterImage& image, const HowToAsk& how)
@@ -101,7 +101,8 @@ Result<ServoReply> ServoLink::ask(const std::function<ServoQuestion()>& question
         const BusTurns::Turn turn(turns_, how.isUrgent);
         if (how.may && !how.may())
             return fail(ErrorCode::Interrupted, subject() + " is held");
-        const ServoQuestion asked = question();
+        ServoQuestion asked = question();
+        asked.patience = how.patience;
         reply = bus_.ask(asked);
         if (!reply)
             return reply;

@@ -18,6 +18,7 @@ struct HowToAsk {
     bool isUrgent = false;
     int tries = 3;
     std::function<bool()> may;
+    std::chrono::nanoseconds patience{0};  ///< of each try: see ServoQuestion
 };
 
 /// One servo on its bus: questions with retries, from any thread.
@@ -41,7 +42,7 @@ public:
     void setReturnDelay(std::chrono::nanoseconds delay);
 
     /// Is it there? Listens to the end, since two servos may have the number.
-    Result<ServoReply> ping();
+    Result<ServoReply> ping(const HowToAsk& how = {});
     /// Reads bytes of the control table into an image of it.
     Result<ServoReply> read(ServoRegion region, RegisterImage& image, const HowToAsk& how = {});
     /// Reads the state in one round trip. After a try without an answer the next one asks for a byte more, so that an

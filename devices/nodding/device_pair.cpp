@@ -266,6 +266,8 @@ void DevicePair::keepLogs()
         keep(laser_->takeLog());
     if (unit_)
         keep(unit_->takeLog());
+    if (devices_.takeLog)
+        keep(devices_.takeLog());
     std::ranges::stable_sort(records_, {}, &FaultRecord::at);
     if (records_.size() > kMost)
         records_.erase(records_.begin(), records_.end() - kMost);

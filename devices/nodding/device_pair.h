@@ -10,6 +10,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "devices/clock.h"
 #include "devices/laser.h"
@@ -23,6 +24,8 @@ namespace planewright {
 struct NoddingDevices {
     std::function<Result<std::unique_ptr<Laser>>(const std::stop_token&)> openLaser;
     std::function<Result<std::unique_ptr<TiltUnit>>(const std::stop_token&)> openTiltUnit;
+    /// What went wrong beside the devices since it was last asked; may be empty. Any thread.
+    std::function<std::vector<FaultRecord>()> takeLog = {};
 };
 
 /// A laser and a tilt unit, and what both have said lately. One thread calls it; hold() and the health functions may be

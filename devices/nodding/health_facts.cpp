@@ -36,6 +36,16 @@ void addFaults(const FaultCounts& counts, std::vector<HealthFact>& facts)
 
 }  // namespace
 
+std::string motorText(const MotorState& motor)
+{
+    std::string text = "load " + fixedText(100.0 * motor.load, 0) + " %";
+    if (motor.voltage > 0.0)
+        text += ", " + fixedText(motor.voltage, 1) + " V";
+    if (motor.temperature)
+        text += ", " + fixedText(*motor.temperature, 0) + " °C";
+    return text;
+}
+
 std::vector<HealthFact> factsOf(const NoddingHealth& health)
 {
     std::vector<HealthFact> facts;

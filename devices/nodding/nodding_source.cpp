@@ -12,10 +12,6 @@ namespace {
 
 /// How often a held unit is asked where it is.
 constexpr std::chrono::milliseconds kPauseTick{50};
-constexpr int kMostAttempts = 2;
-/// The head does not go on while the laser sends nothing for so many turns of its mirror.
-constexpr int kMostSilentTurns = 10;
-constexpr int kMostSilences = 3;
 /// A driver that neither gives a scan nor an error for so long has not found what is wrong.
 constexpr std::chrono::seconds kFirstScan{5};
 
@@ -197,7 +193,7 @@ Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
     while (std::optional<LaserScan> scan = devices_.takeScan()) {
         Result<std::optional<ScanSlice>> slice = taker_.take(std::move(*scan), devices_.track());
         if (!slice)
-            return slice;
+            return tryAgain(slice.error());
         if (taker_.mustGoBack()) {
             taker_.resume();
             isReady_ = false;
@@ -208,7 +204,7 @@ Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
         largestSkew_ = taker_.largestSkew().count();
         slicesLost_ = taker_.lost();
         heardAt_ = clock_.now();
-        attempts_ = 0;
+        attempts_ = (*slice)->angleSuspect ? attempts_ : 0;
         silences_ = 0;
         // The head goes on while this slice is worked on.
         if (taker_.aimsForEach() && !taker_.isDone()) {
@@ -218,28 +214,6 @@ Result<std::optional<ScanSlice>> NoddingSource::takeSlice()
         return slice;
     }
     return std::nullopt;
-}
-
-/// Errors (NeedsOperator): the head does not get where it should, and one at rest was told twice, since it may have
-/// missed a command; DeviceLost: nothing that can be used comes.
-Result<void> NoddingSource::watchMotion()
-{
-    const Time now = clock_.now();
-    const Time silent = now - devices_.lastScanAt().value_or(heardAt_);
-    if (silent > kMostSilentTurns * devices_.laser().limits().period && ++silences_ <= kMostSilences)
-        return rest();
-    if (silences_ > kMostSilences || now - heardAt_ > taker_.patience())
-        return fail(ErrorCode::DeviceLost,
-                    name() +
-                        ": no slice that can be used has come for a while; look at the cables, and at what the "
-                        "devices say of themselves");
-    if (taker_.getsOn(devices_.track(), now))
-        return {};
-    if (taker_.aimsForEach() && ++attempts_ < kMostAttempts)
-        return aim();
-    return fail(ErrorCode::NeedsOperator, devices_.unit().identity() +
-                                              ": the head has not moved for 0.3 s; look whether "
-                                              "something blocks it, and whether its power is on");
 }
 
 /// While it waits, the devices are listened to, and opened anew where one was lost; what the laser sends is passed

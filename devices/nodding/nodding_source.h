@@ -76,6 +76,10 @@ private:
     Result<std::optional<ScanSlice>> goOn(const std::stop_token& stop);
     Result<std::optional<ScanSlice>> takeSlice();
     Result<void> watchMotion();
+    Result<std::optional<ScanSlice>> tryAgain(const Error& error);
+    tl::unexpected<Error> blocked(const std::string& what);
+    tl::unexpected<Error> noAngles(Time since);
+    tl::unexpected<Error> noSlices(Time since);
     Result<void> waitWhileHeld(const std::stop_token& stop);
     Result<void> rest();
     bool isHeld() const;

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How the head is armed and brought to where a scan begins, or home.
+// How the head is armed and brought to where a scan begins, or home, and what is done where it does not get on.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/types/angle_text.h"
 #include "devices/nodding/nodding_source.h"
 
 namespace planewright {
@@ -18,6 +20,22 @@ using Seconds = std::chrono::duration<double>;
 constexpr std::chrono::seconds kFirstAngle{2};
 /// A head that creeps home looks like one at rest for a moment.
 constexpr std::chrono::milliseconds kRestAtHome{100};
+
+/// How often the head is sent to a slice: it may have missed a command, or was held for a moment.
+constexpr int kMostAttempts = 2;
+/// The head does not go on while the laser sends nothing for so many turns of its mirror.
+constexpr int kMostSilentTurns = 10;
+constexpr int kMostSilences = 3;
+/// Nor while its angle is not known: what it passes over meanwhile is lost. A driver that knows why says so sooner.
+constexpr std::chrono::milliseconds kMostTimeWithoutAngle{500};
+/// A driver tells a head that does not move once more after 300 ms, and knows after 300 ms more that it is stuck.
+constexpr Seconds kLateArrival{1.0};
+
+/// ": what a device says of itself", or what to look at where it says nothing.
+std::string because(const std::string& trouble, const char* otherwise)
+{
+    return trouble.empty() ? std::string{"; "} + otherwise : ": " + trouble;
+}
 
 /// Whether a unit has started since the moment at which it had started when it was armed: its clock may be wrong by 1
 /// %, and its answer late.
@@ -107,22 +125,80 @@ Result<void> NoddingSource::arrive(const SliceTaker::Aim& there, Time resting, c
             return {};
         if (!isHeard && !track.isEmpty()) {
             isHeard = true;
-            const Seconds most{3.0 * std::abs(track.last().pitch - there.pitch) / there.speed + 0.5};
-            until = from + std::chrono::round<Time>(most);
+            const Seconds most{3.0 * std::abs(track.last().pitch - there.pitch) / there.speed};
+            until = from + std::chrono::round<Time>(most + kLateArrival);
         }
         if (clock_.now() <= until)
             continue;
-        const std::string unit = devices_.unit().identity();
-        return isHeard ? fail(ErrorCode::NeedsOperator,
-                              unit +
-                                  ": the head does not reach the angle that it was sent to; look whether "
-                                  "something blocks it, and whether its power is on")
-                       : fail(ErrorCode::DeviceLost,
-                              unit +
-                                  ": no angle that can be used has come for 2 s; look at its cable, and at what "
-                                  "else the machine is busy with");
+        if (track.isFresh(clock_.now()))
+            return blocked("the head does not reach the angle that it was sent to");
+        return noAngles(track.isEmpty() ? from : track.last().at);
     }
     return rest();
+}
+
+/// Errors (NeedsOperator): the head does not get where it should, and one at rest was told twice, since it may have
+/// missed a command; DeviceLost: nothing that can be used comes.
+Result<void> NoddingSource::watchMotion()
+{
+    const Time now = clock_.now();
+    const Time silent = now - devices_.lastScanAt().value_or(heardAt_);
+    if (silent > kMostSilentTurns * devices_.laser().limits().period && ++silences_ <= kMostSilences)
+        return rest();
+    if (silences_ > kMostSilences)
+        return fail(ErrorCode::DeviceLost,
+                    name() + ": no scan that can be used has come for a while" +
+                        because(devices_.laserHealth().trouble, "look at its cable, and at what it says of itself"));
+    const TiltTrack& track = devices_.track();
+    const Time known = track.isEmpty() ? heardAt_ : std::max(heardAt_, track.last().at);
+    if (now - known > kMostTimeWithoutAngle)
+        return noAngles(known);
+    if (now - heardAt_ > taker_.patience())
+        return noSlices(now - heardAt_);
+    if (taker_.getsOn(track, now))
+        return {};
+    if (taker_.aimsForEach() && ++attempts_ < kMostAttempts)
+        return aim();
+    return blocked("the head has not moved for " + fixedText(Seconds(taker_.stuckAfter()).count(), 1) + " s");
+}
+
+/// A head that was not where a sweep should have brought it is sent to the missing slice once more: something may have
+/// held it for a moment. Gives no slice, or the error.
+Result<std::optional<ScanSlice>> NoddingSource::tryAgain(const Error& error)
+{
+    if (error.code != ErrorCode::NeedsOperator || taker_.aimsForEach() || ++attempts_ >= kMostAttempts)
+        return tl::unexpected{Error{error.code, error.message + " (" + motorText(devices_.motor()) + ")"}};
+    taker_.resume();
+    isReady_ = false;
+    return std::nullopt;
+}
+
+/// The head stands where it should not, with what its motor says.
+tl::unexpected<Error> NoddingSource::blocked(const std::string& what)
+{
+    return fail(ErrorCode::NeedsOperator, devices_.unit().identity() + ": " + what + " (" +
+                                              motorText(devices_.motor()) +
+                                              "); look whether something blocks it, and whether its power is on");
+}
+
+/// Angles and scans come, and give no slice: of the device that says of itself why.
+tl::unexpected<Error> NoddingSource::noSlices(Time since)
+{
+    const std::string ofUnit = devices_.tiltHealth().trouble;
+    const std::string trouble = ofUnit.empty() ? devices_.laserHealth().trouble : ofUnit;
+    return fail(ErrorCode::DeviceLost,
+                (ofUnit.empty() ? name() : devices_.unit().identity()) + ": no slice that can be used has come for " +
+                    fixedText(Seconds(since).count(), 1) + " s" +
+                    because(trouble, "look at the cables, and at what the devices say of themselves"));
+}
+
+/// Where the head is, nobody knows: no standstill, and no block.
+tl::unexpected<Error> NoddingSource::noAngles(Time since)
+{
+    return fail(ErrorCode::DeviceLost, devices_.unit().identity() + ": no angle that can be used has come for " +
+                                           fixedText(Seconds(clock_.now() - since).count(), 1) + " s" +
+                                           because(devices_.tiltHealth().trouble,
+                                                   "look at its cable, and at what else the machine is busy with"));
 }
 
 void NoddingSource::lookAfter(const std::stop_token& stop)

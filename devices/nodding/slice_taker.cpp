@@ -13,8 +13,13 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-/// A unit that does not move for this long while it should is stuck.
-constexpr std::chrono::milliseconds kStuckAfter{300};
+/// A unit that does not move for this long while it should is stuck. Its driver sees that sooner, tells it once more,
+/// and knows more about it: this is for units that say nothing.
+constexpr std::chrono::milliseconds kStuckAfter{800};
+/// A slow head needs time even for the counts that tell of its way.
+constexpr double kCountsOfWay = 9.0;
+/// No more than angles are remembered.
+constexpr std::chrono::milliseconds kStuckAtLast{2500};
 constexpr int kSamplesOfRest = 3;
 constexpr int kMostSuspects = 2;
 /// A sweep begins and ends this much outside of its slices, so that the head has its speed within them.
@@ -176,17 +181,25 @@ std::optional<SliceTaker::Time> SliceTaker::restsSince(double pitch, const TiltT
     return track.restsSince(1.01 * head_.resolution, kSamplesOfRest);
 }
 
+SliceTaker::Time SliceTaker::stuckAfter() const
+{
+    const Seconds counts{kCountsOfWay * head_.resolution / goal().speed};
+    return std::clamp<Time>(std::chrono::round<Time>(counts), kStuckAfter, kStuckAtLast);
+}
+
 bool SliceTaker::getsOn(const TiltTrack& track, Time now) const
 {
-    if (isDone() || track.isEmpty() || now - aimedAt_ < kStuckAfter)
+    if (isDone() || !track.isFresh(now))
+        return true;
+    const Time from = track.last().at - stuckAfter();
+    const std::optional<double> before = from < aimedAt_ ? std::nullopt : track.pitchAt(from, stuckAfter());
+    if (!before)
         return true;
     const double pitch = track.last().pitch;
-    const std::optional<double> before = track.pitchAt(now - kStuckAfter, kStuckAfter);
-    const double way = before ? std::abs(pitch - *before) : 0.0;
-    const double least = 0.5 * head_.resolution + 0.25 * fitted_.sweepSpeed * Seconds(kStuckAfter).count();
+    const double least = 0.5 * head_.resolution + 0.25 * fitted_.sweepSpeed * Seconds(stuckAfter()).count();
     const double left =
         isSweep() ? direction() * (within(plan_.pitch(plan_.slices - 1)) - pitch) : std::abs(goal().pitch - pitch);
-    return way >= least || left <= tolerance();
+    return std::abs(pitch - *before) >= least || left <= tolerance();
 }
 
 }  // namespace planewright

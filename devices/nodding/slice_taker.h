@@ -72,8 +72,10 @@ public:
     /// the order of their numbers, so it goes back before it takes the next.
     bool mustGoBack() const { return mustGoBack_; }
 
-    /// False where the head stands still though it is not where it should be.
+    /// False where the head was measured to stand still for stuckAfter() though it is not where it should be. Angles
+    /// that do not come say nothing about that.
     bool getsOn(const TiltTrack& track, Time now) const;
+    Time stuckAfter() const;
 
 private:
     static constexpr int kMostReturns = 20;

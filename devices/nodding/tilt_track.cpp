@@ -12,6 +12,8 @@ namespace planewright {
 namespace {
 
 constexpr std::chrono::seconds kKept{3};
+/// Units tell their angle every 5 to 20 ms.
+constexpr std::chrono::milliseconds kFresh{100};
 
 }  // namespace
 
@@ -22,6 +24,11 @@ void TiltTrack::add(const TiltSample& sample)
     samples_.push_back(sample);
     while (samples_.front().at < sample.at - kKept)
         samples_.pop_front();
+}
+
+bool TiltTrack::isFresh(Time now) const
+{
+    return !isEmpty() && now - last().at <= kFresh;
 }
 
 std::optional<double> TiltTrack::pitchAt(Time moment, Time reach) const

@@ -22,6 +22,9 @@ public:
 
     bool isEmpty() const { return samples_.empty(); }
     const TiltSample& last() const { return samples_.back(); }
+    /// True where the last sample is about as old as a sample is when it comes; nobody knows what happened after an
+    /// older one.
+    bool isFresh(Time now) const;
 
     /// Angle at a moment [rad], on the straight line between the samples about it. Empty outside of the samples, and
     /// where the nearer of the two is farther away than `reach`: what happened between them nobody knows.

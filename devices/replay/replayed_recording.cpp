@@ -8,8 +8,11 @@
 namespace planewright {
 
 ReplayedRecording::ReplayedRecording(std::shared_ptr<const Recording> recording, std::string name, const Clock& clock,
-                                     double speed)
-    : recording_(std::move(recording)), name_(std::move(name)), pacer_(clock, isReplaySpeed(speed) ? speed : 1.0)
+                                     double speed, std::optional<int> plannedSlices)
+    : recording_(std::move(recording)),
+      name_(std::move(name)),
+      plannedSlices_(plannedSlices),
+      pacer_(clock, isReplaySpeed(speed) ? speed : 1.0)
 {
 }
 

@@ -15,11 +15,13 @@ namespace planewright {
 /// A recording played back as if it were a scanner: at the pace of its slices' times, faster, slower, or step by step.
 class ReplayedRecording : public ScanSource {
 public:
-    /// A speed that isReplaySpeed refuses is taken as real time.
-    ReplayedRecording(std::shared_ptr<const Recording> recording, std::string name, const Clock& clock, double speed);
+    /// A speed that isReplaySpeed refuses is taken as real time. `plannedSlices` that the scan was begun with, those
+    /// that are missing among them; empty where nobody knows.
+    ReplayedRecording(std::shared_ptr<const Recording> recording, std::string name, const Clock& clock, double speed,
+                      std::optional<int> plannedSlices);
 
     const ScanDescription& description() const override { return recording_->description; }
-    std::optional<int> plannedSlices() const override { return static_cast<int>(recording_->slices.size()); }
+    std::optional<int> plannedSlices() const override { return plannedSlices_; }
     bool isLive() const override { return false; }
     std::string name() const override { return name_; }
 
@@ -33,6 +35,7 @@ public:
 private:
     std::shared_ptr<const Recording> recording_;
     std::string name_;
+    std::optional<int> plannedSlices_;
     Pacer pacer_;
     std::size_t next_ = 0;
 };

@@ -25,20 +25,21 @@ std::string firstLines(const std::string& device)
 
 }  // namespace
 
-Result<std::unique_ptr<DialogueWriter>> DialogueWriter::create(const std::string& path, const std::string& device)
+Result<std::unique_ptr<DialogueWriter>> DialogueWriter::create(const std::string& path, const std::string& device,
+                                                               OnTrouble onTrouble)
 {
     Descriptor file{::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kEveryonesToRead)};
     if (!file.isOpen())
         return fail(ErrorCode::NotWritten,
                     path + (errno == EEXIST ? ": exists already; give another name"
                                             : ": cannot be written (" + std::generic_category().message(errno) + ")"));
-    return begin(std::move(file), path, device);
+    return begin(std::move(file), path, device, std::move(onTrouble));
 }
 
 Result<std::unique_ptr<DialogueWriter>> DialogueWriter::begin(Descriptor file, const std::string& path,
-                                                              const std::string& device)
+                                                              const std::string& device, OnTrouble onTrouble)
 {
-    std::unique_ptr<DialogueWriter> writer{new DialogueWriter(std::move(file), path)};
+    std::unique_ptr<DialogueWriter> writer{new DialogueWriter(std::move(file), path, std::move(onTrouble))};
     writer->waiting_ = firstLines(device);
     try {
         writer->thread_ = std::thread{[writing = writer.get()] { writing->run(); }};
@@ -48,7 +49,10 @@ Result<std::unique_ptr<DialogueWriter>> DialogueWriter::begin(Descriptor file, c
     return writer;
 }
 
-DialogueWriter::DialogueWriter(Descriptor file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
+DialogueWriter::DialogueWriter(Descriptor file, std::string path, OnTrouble onTrouble)
+    : file_(std::move(file)), path_(std::move(path)), onTrouble_(std::move(onTrouble))
+{
+}
 
 DialogueWriter::~DialogueWriter()
 {
@@ -140,9 +144,11 @@ bool DialogueWriter::writeAll(const std::string& text)
 /// Called under the lock: the dialogue ends here.
 void DialogueWriter::endBecause(std::string why)
 {
-    if (trouble_.empty())
-        trouble_ =
-            path_ + ": the dialogue is recorded no further (" + std::move(why) + "); the scan goes on without it";
+    if (!trouble_.empty())
+        return;
+    trouble_ = path_ + ": the dialogue is recorded no further (" + std::move(why) + "); the scan goes on without it";
+    if (onTrouble_)
+        onTrouble_(trouble_);
 }
 
 }  // namespace planewright

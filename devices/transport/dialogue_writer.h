@@ -5,6 +5,7 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -25,12 +26,16 @@ public:
     /// Text that waits for the disk: half a minute of the fastest laser.
     static constexpr std::size_t kMostWaiting = std::size_t{4} << 20;
 
+    /// Told once, with the line of trouble(), when the dialogue ends early, on any thread; it only takes note.
+    using OnTrouble = std::function<void(const std::string&)>;
+
     /// Begins a file for a device of a name; an existing one is not touched. Errors (NotWritten), naming the file.
-    static Result<std::unique_ptr<DialogueWriter>> create(const std::string& path, const std::string& device);
+    static Result<std::unique_ptr<DialogueWriter>> create(const std::string& path, const std::string& device,
+                                                          OnTrouble onTrouble = {});
 
     /// Begins in a file that is open, called `path` in messages. Errors as for create().
     static Result<std::unique_ptr<DialogueWriter>> begin(Descriptor file, const std::string& path,
-                                                         const std::string& device);
+                                                         const std::string& device, OnTrouble onTrouble = {});
     ~DialogueWriter();
 
     /// Appends an event. One that is earlier than what was added before is written with that one's time: two threads
@@ -44,7 +49,7 @@ public:
     std::string trouble() const;
 
 private:
-    DialogueWriter(Descriptor file, std::string path);
+    DialogueWriter(Descriptor file, std::string path, OnTrouble onTrouble);
 
     void run();
     /// Until it is finished or the disk takes no more.
@@ -55,6 +60,7 @@ private:
 
     Descriptor file_;
     std::string path_;
+    OnTrouble onTrouble_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::string waiting_;

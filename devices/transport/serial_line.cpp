@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <fcntl.h>
+#include <filesystem>
 #include <grp.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
@@ -38,6 +39,15 @@ std::string groupOf(const std::string& path)
         ::getgrgid_r(status.st_gid, &entry, text.data(), text.size(), &found) != 0 || found == nullptr)
         return "dialout";
     return found->gr_name;
+}
+
+/// The rules for udev are for ports that came with a plug.
+bool isOfUsb(const std::string& path)
+{
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::canonical(path, error);
+    const std::string name = (error ? std::filesystem::path{path} : real).filename().string();
+    return name.starts_with("ttyUSB") || name.starts_with("ttyACM");
 }
 
 /// Pseudo terminals have these numbers on Linux.
@@ -104,8 +114,8 @@ std::string serialTroubleText(int error, const std::string& path)
             return "there is no such port; plug the device in, and see 'planewright-cli devices' for what is there";
         case EACCES:
         case EPERM:
-            return "you have no right to open it; run '" + serialPermissionCommand(path) +
-                   "' and log in again, or install the rule for udev: " + usbPermissionCommand();
+            return "you have no right to open it; run '" + serialPermissionCommand(path) + "' and log in again" +
+                   (isOfUsb(path) ? ", or install the rule for udev: " + usbPermissionCommand() : "");
         case EBUSY:
             return kBusy;
         case ENOTTY:

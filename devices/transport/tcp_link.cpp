@@ -65,7 +65,8 @@ int connectTo(const HostAddress& address, const WakeEvent& stopped, std::chrono:
 }  // namespace
 
 Result<std::unique_ptr<Transport>> openTcpLink(const std::string& host, std::uint16_t port, const Clock& clock,
-                                               std::chrono::nanoseconds deadline, const std::stop_token& stop)
+                                               std::chrono::nanoseconds deadline, const std::stop_token& stop,
+                                               bool wasThere)
 {
     const std::string name = hostText(host, port);
     const auto addresses = resolveHost(host, port, clock, deadline, stop);
@@ -85,7 +86,7 @@ Result<std::unique_ptr<Transport>> openTcpLink(const std::string& host, std::uin
             return fail(ErrorCode::Interrupted, name + ": stopped while it was connected");
         if (error == 0)
             return DescriptorLink::open(std::move(socket), name, tcpEndText, clock);
-        trouble = connectTroubleText(error, (*addresses)[i], ownNetworks());
+        trouble = connectTroubleText(error, (*addresses)[i], ownNetworks(), wasThere);
     }
     return fail(ErrorCode::NoDevice, name + ": " + trouble);
 }

@@ -26,9 +26,10 @@ inline constexpr std::chrono::seconds kConnectTimeout{3};
 /// for as long end it, too.
 ///
 /// Errors, with what to do: NoDevice where there is no such host or route, it does not answer before the clock's
-/// deadline, or it refuses; Interrupted for a stop.
+/// deadline, or it refuses; Interrupted for a stop. `wasThere`: this program has been connected to it before.
 Result<std::unique_ptr<Transport>> openTcpLink(const std::string& host, std::uint16_t port, const Clock& clock,
-                                               std::chrono::nanoseconds deadline, const std::stop_token& stop);
+                                               std::chrono::nanoseconds deadline, const std::stop_token& stop,
+                                               bool wasThere = false);
 
 /// How long a connection may be without any sign of the other end.
 inline constexpr std::chrono::seconds kSilenceLimit{5};

@@ -73,12 +73,15 @@ std::vector<OwnNetwork> ownNetworks()
     return networks;
 }
 
-std::string connectTroubleText(int error, const HostAddress& address, std::span<const OwnNetwork> networks)
+std::string connectTroubleText(int error, const HostAddress& address, std::span<const OwnNetwork> networks,
+                               bool wasThere)
 {
     switch (error) {
         case ECONNREFUSED:
+            if (wasThere)
+                return "nothing answers there yet; it may still be starting: check its power and its cable";
             return "refused the connection: nothing listens at this port, or another program is connected already; "
-                   "check the port, and end the other program: a laser serves one client at a time";
+                   "check the port, and end the other program: it serves one client at a time";
         case ECONNRESET:
             return tcpEndText(error, false);
         case EACCES:
@@ -103,7 +106,7 @@ std::string tcpEndText(int error, bool anythingCame)
 {
     const bool wasClosed = error == 0 || error == ECONNRESET || error == EPIPE;
     if (wasClosed && !anythingCame)
-        return "closed the connection before it said anything; end the other program that is connected to it: a laser "
+        return "closed the connection before it said anything; end the other program that is connected to it: it "
                "serves one client at a time";
     if (error == 0)
         return "closed the connection; check its power, then connect it again";

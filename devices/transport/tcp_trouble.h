@@ -23,8 +23,9 @@ std::vector<OwnNetwork> ownNetworks();
 
 /// Why a connection to an address did not come about, and what to do; without the name in front. `error` is the
 /// system's number. Where the address is in none of the networks given, the text says so: it is the usual reason why a
-/// laser that has just been bought does not answer.
-std::string connectTroubleText(int error, const HostAddress& address, std::span<const OwnNetwork> networks);
+/// laser that has just been bought does not answer. `wasThere`: something has answered at this address before.
+std::string connectTroubleText(int error, const HostAddress& address, std::span<const OwnNetwork> networks,
+                               bool wasThere = false);
 
 /// Why a connection is over: a LinkEndText.
 std::string tcpEndText(int error, bool anythingCame);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 #include <vtkAxis.h>
 #include <vtkBrush.h>
 #include <vtkChartXY.h>
@@ -213,10 +214,17 @@ void paintLimits(QPainter& painter, const PlotFrame& frame, const Chart& chart, 
     QColor backing = look.palette.color(QPalette::Base);
     backing.setAlpha(200);
     painter.setFont(look.font);
+    std::vector<QRectF> written;
     const auto write = [&](const QString& name, double top, bool atLeft) {
         const double width = metrics.horizontalAdvance(name) + 4.0;
         const double left = atLeft ? frame.area.left() + 4.0 : frame.area.right() - width - 2.0;
-        const QRectF place(left, top, width, metrics.height() - 1.0);
+        QRectF place(left, top, width, metrics.height() - 1.0);
+        // Beside the name of a line that is less than a row away.
+        for (const QRectF& other : written) {
+            if (place.intersects(other))
+                place.moveRight(other.left() - 4.0);
+        }
+        written.push_back(place);
         painter.fillRect(place, backing);
         painter.setPen(text);
         painter.drawText(QPointF(place.left() + 2.0, place.top() + metrics.ascent()), name);
@@ -287,12 +295,11 @@ PlotFrame paintChart(QPainter& painter, const QSizeF& size, const Chart& chart, 
                  hasTitle ? ranges.lowX : ranges.lowX + kNamedFrom * (ranges.highX - ranges.lowX));
     else
         setLabels(bottom, chart.xLabels);
-    const bool counts = chart.yTitle != "ms" && chart.yTitle != "σ";
     setTicks(left, 0.0, ranges.highY,
-             tickStep(ranges.highY, std::max(2.0, height / kPixelsOfTickY), counts ? 1.0 : 0.0), 0.0);
+             tickStep(ranges.highY, std::max(2.0, height / kPixelsOfTickY), chart.counts ? 1.0 : 0.0), 0.0);
 
     std::vector<double> below;
-    const Chart drawn = thinned(chart, 0.8 * size.width());
+    const Chart drawn = thinned(inPieces(chart), 0.8 * size.width());
     for (const ChartSeries& one : drawn.series) {
         if (one.style == Style::Limit || one.x.empty())
             continue;
@@ -301,7 +308,7 @@ PlotFrame paintChart(QPainter& painter, const QSizeF& size, const Chart& chart, 
         else
             addPlot(*plots, one, seriesColour(one, look.palette));
     }
-    if (chart.isEmpty()) {
+    if (plots->GetNumberOfPlots() == 0) {
         // VTK draws no axes without a plot.
         addPlot(*plots, {"", {ranges.lowX, ranges.highX}, {0.0, 0.0}, Style::Line, 0}, Qt::transparent);
         plots->GetPlot(0)->GetPen()->SetLineType(vtkPen::NO_PEN);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace planewright {
 
@@ -102,6 +103,31 @@ double tickStep(double span, double most, double least)
             return std::max(least, digit * decade);
     }
     return std::max(least, 10.0 * decade);
+}
+
+Chart inPieces(Chart chart)
+{
+    std::vector<ChartSeries> pieces;
+    for (ChartSeries& one : chart.series) {
+        if (one.style != ChartSeries::Style::Line) {
+            pieces.push_back(std::move(one));
+            continue;
+        }
+        bool begins = true;
+        for (std::size_t i = 0; i < one.y.size(); ++i) {
+            if (std::isnan(one.y[i])) {
+                begins = true;
+                continue;
+            }
+            if (begins)
+                pieces.push_back({one.name, {}, {}, one.style, one.colour});
+            begins = false;
+            pieces.back().x.push_back(one.x[i]);
+            pieces.back().y.push_back(one.y[i]);
+        }
+    }
+    chart.series = std::move(pieces);
+    return chart;
 }
 
 Chart thinned(Chart chart, double columns)

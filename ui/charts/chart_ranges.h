@@ -18,6 +18,9 @@ ChartRanges rangesOf(const Chart& chart);
 /// A round number of which no more than so many fit into a span.
 double tickStep(double span, double most, double least);
 
+/// A chart whose lines are taken apart where they have gaps: there is nothing in it that is no number.
+Chart inPieces(Chart chart);
+
 /// A chart with no more points than can be told apart in so many columns of pixels.
 Chart thinned(Chart chart, double columns);
 

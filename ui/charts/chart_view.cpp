@@ -75,7 +75,8 @@ QString ChartView::textOf(std::size_t point) const
         const bool whole = one.y[point] == std::floor(one.y[point]);
         parts << tr("%1 %2 %3")
                      .arg(QString::fromStdString(one.name), numberText(one.y[point], whole ? 0 : 2),
-                          QString::fromStdString(chart_.yTitle));
+                          QString::fromStdString(chart_.yTitle))
+                     .trimmed();
     }
     const QString x = numberText(chart_.series.front().x[point], 0);
     return (chart_.overSteps ? tr("Step %1: ").arg(x) : tr("%1 %2: ").arg(x, QString::fromStdString(chart_.xTitle))) +
@@ -136,6 +137,8 @@ void ChartView::drawCursor(QPainter& painter) const
     painter.setPen(QPen(line, 2.0));
     if (chart_.overSteps)
         painter.drawLine(QPointF(place.x(), frame_.area.top()), QPointF(place.x(), frame_.area.bottom()));
+    if (!std::isfinite(place.y()))
+        return;
     painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
     painter.setBrush(line);
     painter.drawEllipse(place, 4.5, 4.5);

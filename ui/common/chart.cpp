@@ -16,7 +16,7 @@ ChartTable tableOf(const Chart& chart)
         if (one.style == ChartSeries::Style::Limit || one.style == ChartSeries::Style::Fit)
             continue;
         measured.push_back(&one);
-        table.headings.push_back(one.name + " [" + chart.yTitle + "]");
+        table.headings.push_back(chart.yTitle.empty() ? one.name : one.name + " [" + chart.yTitle + "]");
     }
     if (measured.empty())
         return table;

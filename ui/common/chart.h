@@ -20,7 +20,7 @@ struct ChartSeries {
     };
     std::string name;
     std::vector<double> x;
-    std::vector<double> y;  ///< as many
+    std::vector<double> y;  ///< as many; NaN where there is nothing to say, and a line has a gap
     Style style = Style::Line;
     int colour = 0;  ///< number of a colour of the palette
 };
@@ -30,11 +30,12 @@ struct Chart {
     std::string id;  ///< for settings and tests
     std::string title;
     std::string xTitle;  ///< with unit
-    std::string yTitle;  ///< with unit
+    std::string yTitle;  ///< its unit; empty for none
     std::vector<ChartSeries> series;
     std::vector<std::string> xLabels;  ///< in place of numbers, at 0, 1, 2, …
     std::string note;                  ///< what its numbers say, in a few words
     bool overSteps = false;            ///< x is a step, from 1
+    bool counts = false;               ///< y is a whole number
     std::vector<int> places;           ///< in the scan's history, of the points of the first series; empty for none
 
     /// True while there is nothing to be seen.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 #include "core/evaluation/curve_fit.h"
@@ -158,7 +159,8 @@ Chart timeOfSegments(const Steps& steps)
 
 }  // namespace
 
-std::vector<Chart> scanCharts(const std::vector<std::shared_ptr<const Snapshot>>& history, double errorLimit)
+std::vector<Chart> scanCharts(const std::vector<std::shared_ptr<const Snapshot>>& history,
+                              std::optional<double> errorLimit)
 {
     const Steps steps = stepsOf(history);
     std::vector<Chart> charts;
@@ -168,9 +170,12 @@ std::vector<Chart> scanCharts(const std::vector<std::shared_ptr<const Snapshot>>
                                [](const StepReport& r) { return r.counts.unfitted; }));
     charts.push_back(overSteps("planes", "Planes", "planes", "planes", 2, steps,
                                [](const StepReport& r) { return r.counts.planes; }));
-    charts.push_back(overSteps("meanError", "Mean fitting error", "mean error", "σ", 3, steps,
-                               [](const StepReport& r) { return r.counts.meanError; }));
-    charts.back().series.push_back(limitOf("limit", errorLimit));
+    for (Chart& chart : charts)
+        chart.counts = true;
+    charts.push_back(overSteps("meanError", "Mean fitting error E", "mean E", "", 3, steps, [](const StepReport& r) {
+        return r.counts.planes > 0 ? r.counts.meanError : std::numeric_limits<double>::quiet_NaN();
+    }));
+    charts.back().series.push_back(errorLimit ? limitOf("limit", *errorLimit) : limitOf("expected", 1.0));
     charts.push_back(phaseTimes(steps));
     charts.push_back(phaseAverages(steps));
     charts.push_back(timeOfSegments(steps));

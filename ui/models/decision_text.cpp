@@ -77,7 +77,7 @@ QString rejectHead(const Decision& decision)
 {
     const QString first = operandText(decision.operands.front());
     if (decision.operands.size() < 2)
-        return decision.phase == Phase::Extract ? QStringLiteral("%1 dropped").arg(first)
+        return decision.phase == Phase::Extract ? QStringLiteral("%1 discarded").arg(first)
                                                 : QStringLiteral("%1 fits no plane").arg(first);
     return (leavesPlane(decision) ? QStringLiteral("%1 leaves %2") : QStringLiteral("%1 not → %2"))
         .arg(first, operandText(decision.operands[1]));
@@ -192,6 +192,10 @@ QString operandText(const Operand& operand)
         return QStringLiteral("seg ") + QString::fromStdString(segmentLabel(*segment));
     if (const PlaneId* plane = planeOf(operand))
         return QString::fromStdString(planeLabel(*plane));
+    if (const auto* piece = std::get_if<PieceRef>(&operand))
+        return piece->firstBeam == piece->lastBeam
+                   ? QStringLiteral("beam %1").arg(piece->firstBeam)
+                   : QStringLiteral("beams %1–%2").arg(piece->firstBeam).arg(piece->lastBeam);
     return QStringLiteral("C%1").arg(std::get<ClusterRef>(operand).id);
 }
 
@@ -320,8 +324,10 @@ QString phaseTitle(Phase phase, std::string_view pass)
 
 QString phaseResult(Phase phase, const StepCounts& counts, std::span<const Decision> decisions)
 {
-    if (phase == Phase::Extract)
-        return QStringLiteral("%1 segments in %2 points").arg(counts.segments).arg(counts.returns);
+    if (phase == Phase::Extract) {
+        const QString segments = QStringLiteral("%1 segments in %2 points").arg(counts.segments).arg(counts.returns);
+        return decisions.empty() ? segments : segments + QStringLiteral(", %1 discarded").arg(decisions.size());
+    }
     Tally tally;
     for (const Decision& decision : decisions)
         tally.count(decision);

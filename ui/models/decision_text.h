@@ -41,7 +41,7 @@ struct TextLine {
     QString plain() const;
 };
 
-/// "seg 64.3", "P12", "C5": steps count from 1 on the screen.
+/// "seg 64.3", "P12", "C5", "beams 47–51": steps count from 1 on the screen.
 QString operandText(const Operand& operand);
 /// What somebody has typed: "P07" or "7" is a plane, "64.3" or "seg 64.3" a segment; nothing for what is neither.
 std::optional<Operand> operandOf(const QString& text);

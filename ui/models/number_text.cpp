@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/types/angle.h"
 
@@ -17,6 +18,16 @@ QString numberText(double value, int decimals)
     const QString text = QString::number(value, 'f', decimals);
     const bool isZero = std::none_of(text.cbegin(), text.cend(), [](QChar c) { return c >= '1' && c <= '9'; });
     return isZero && text.startsWith('-') ? text.mid(1) : text;
+}
+
+QString countText(qsizetype count, const QString& one, const QString& many)
+{
+    return QString::number(count) + QLatin1Char(' ') + (count == 1 ? one : many);
+}
+
+QString meanErrorText(const StepCounts& counts)
+{
+    return numberText(counts.planes > 0 ? counts.meanError : std::numeric_limits<double>::quiet_NaN(), 2);
 }
 
 QString lengthText(double metres, const LengthStyle& style)

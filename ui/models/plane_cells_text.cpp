@@ -60,7 +60,7 @@ constexpr std::array<ColumnWords, kPlaneColumns> kWords{{
     {"W × H", "Width and height of the rectangle around it"},
     {"Seg.", "Line segments that support it"},
     {"End points", "End points of these segments"},
-    {"E", "Fitting error: mean squared distance of the end points, in standard deviations"},
+    {"E", "Fitting error E: mean squared Mahalanobis distance of its segments; 1 is what their noise gives"},
     {"RMS mm", "Distance of its points to it, root mean square, in millimetres"},
     {"Born", "Step at which it was made"},
     {"Changed", "Step at which it changed last"},

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <QColor>
 
 #include "core/types/plane_words.h"
 #include "ui/common/same_scan.h"
+#include "ui/models/number_text.h"
 #include "ui/models/plane_cells_text.h"
 
 namespace planewright {
@@ -60,6 +62,22 @@ bool isSameRow(const ShownPlane& a, const ShownPlane& b, bool sameScan)
     const bool samePlane = a.plane == b.plane || (sameScan && a.plane->revision == b.plane->revision);
     return samePlane && a.name == b.name && a.className == b.className && a.hidden == b.hidden &&
            a.locked == b.locked && a.outline == b.outline;
+}
+
+/// What a fitting error says, and what the method makes of it.
+QString errorTip(double error, std::optional<double> limit)
+{
+    const QString meaning =
+        PlanesModel::tr("Its segments lie off the plane by %1 times what the noise alone gives (the square root of E).")
+            .arg(numberText(std::sqrt(error), 1));
+    if (limit)
+        return meaning + QLatin1Char(' ') +
+               PlanesModel::tr("A plane above %1 is not made, and is split if it grew to it.").arg(*limit);
+    return meaning + QLatin1Char(' ') +
+           PlanesModel::tr(
+               "E alone splits no plane: the estimator by likelihood tests each segment when it joins, takes "
+               "the worst ones out of planes of at most 60 segments in the last pass, and makes the plane's "
+               "uncertainty larger where E is above 1.");
 }
 
 }  // namespace
@@ -129,7 +147,7 @@ void PlanesModel::setLengthStyle(const LengthStyle& style)
     emit headerDataChanged(Qt::Horizontal, 0, kPlaneColumns - 1);
 }
 
-void PlanesModel::setErrorLimit(double limit)
+void PlanesModel::setErrorLimit(std::optional<double> limit)
 {
     errorLimit_ = limit;
     allChanged();
@@ -181,7 +199,10 @@ QVariant PlanesModel::data(const QModelIndex& index, int role) const
         case kSecondSortRole:
             return column == PlaneColumn::Size && shown.outline ? QVariant(shown.outline->outline.height) : QVariant();
         case kLimitRole:
-            return column == PlaneColumn::Error ? QVariant(errorLimit_) : QVariant();
+            return column == PlaneColumn::Error && errorLimit_ ? QVariant(*errorLimit_) : QVariant();
+        case Qt::ToolTipRole:
+            return column == PlaneColumn::Error ? QVariant(errorTip(shown.plane->fittingError, errorLimit_))
+                                                : QVariant();
         case kPlainTextRole:
             return QString::fromStdString(planeLabel(shown.plane->id) + ' ' + shown.name + ' ' + shown.className + ' ' +
                                           planeState(*shown.plane) + ' ' + lineageText(*shown.plane));

@@ -65,8 +65,9 @@ public:
     void setColours(PlanePalette palette, Theme theme);
     void setLengthStyle(const LengthStyle& style);
     const LengthStyle& lengthStyle() const { return style_; }
-    /// The fitting error from which on planes are split; the error's kLimitRole.
-    void setErrorLimit(double limit);
+    /// The fitting error from which on planes are split, empty where none is; the error's kLimitRole, and what its tip
+    /// says.
+    void setErrorLimit(std::optional<double> limit);
 
     PlaneId planeAt(int row) const;
     std::optional<int> rowOf(PlaneId plane) const;
@@ -97,7 +98,7 @@ private:
     PlanePalette palette_ = PlanePalette::Normal;
     Theme theme_ = Theme::Light;
     LengthStyle style_;
-    double errorLimit_ = 4.0;
+    std::optional<double> errorLimit_ = 4.0;
 };
 
 }  // namespace planewright

@@ -15,7 +15,10 @@ void Playhead::setHistory(History history, int planned)
     const bool goesOn = !history_.empty() && history.size() >= history_.size() && history.front() == history_.front();
     history_ = std::move(history);
     planned_ = planned;
+    const int newest = static_cast<int>(history_.size()) - 1;
     if (!goesOn) {
+        place_ = newest;
+        followsNewest_ = true;
         setLoop({});
         if (!bookmarks_.empty()) {
             bookmarks_.clear();
@@ -23,9 +26,12 @@ void Playhead::setHistory(History history, int planned)
         }
     }
     emit historyChanged();
-    const int newest = static_cast<int>(history_.size()) - 1;
-    if (!goesOn || followsNewest_)
+    if (!goesOn) {
+        showPhase({});
+        emit placeChanged(newest);
+    } else if (followsNewest_) {
         look(newest, true);
+    }
 }
 
 std::shared_ptr<const Snapshot> Playhead::snapshot() const

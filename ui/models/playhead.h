@@ -62,7 +62,8 @@ public:
 signals:
     /// history() has grown or begun anew.
     void historyChanged();
-    /// Another place is looked at, or it follows the newest now, or no more.
+    /// Another place is looked at, or the same place of a scan that begins anew, or it follows the newest now, or no
+    /// more.
     void placeChanged(int place);
     void phaseChanged();
     void loopChanged();

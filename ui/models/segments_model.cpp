@@ -116,6 +116,7 @@ void SegmentsModel::setMap(std::shared_ptr<const ShownMap> map)
         endInsertRows();
     if (isNext)
         tellChanges(planesBefore, ownersBefore);
+    emit mapChanged();
 }
 
 void SegmentsModel::tellChanges(const std::vector<PlaneId>& planesBefore, const SegmentOwners& ownersBefore)

@@ -47,6 +47,10 @@ public:
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
+signals:
+    /// map() is another.
+    void mapChanged();
+
 private:
     struct Place {
         std::size_t slice = 0;

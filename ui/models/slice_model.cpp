@@ -224,11 +224,11 @@ QString SliceModel::summary() const
         return {};
     const auto kept = std::count_if(sketch_->trace.pieces.begin(), sketch_->trace.pieces.end(),
                                     [](const TracedPiece& piece) { return piece.segment >= 0; });
-    return tr("Step %1, φ %2°: %3 runs, %4 segments, %5 discarded")
+    return tr("Step %1, φ %2°: %3, %4, %5 discarded")
         .arg(sketch_->slice->step + 1)
-        .arg(angleText(sketch_->slice->tilt))
-        .arg(sketch_->trace.runs.size())
-        .arg(kept)
+        .arg(angleText(sketch_->slice->tilt),
+             countText(static_cast<qsizetype>(sketch_->trace.runs.size()), tr("run"), tr("runs")),
+             countText(kept, tr("segment"), tr("segments")))
         .arg(static_cast<qsizetype>(sketch_->trace.pieces.size()) - kept);
 }
 

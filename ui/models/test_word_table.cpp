@@ -11,6 +11,21 @@ std::span<const TestWords> allTestWords()
     using enum TestScale;
     using Keys = std::array<std::string_view, 2>;
     static constexpr std::array kTestWords{
+        TestWords{"points", Piece, "points", Count, Keys{"segments.min-points", ""},
+                  "How many points the piece had; those beside it may have taken some of them. By likelihood fewer do "
+                  "where beams are wider apart."},
+        TestWords{"length", Piece, "length", Metre, Keys{"segments.min-length", ""},
+                  "From the first point of the piece to the last."},
+        TestWords{"points_of_run", Piece, "points of the run", Count, Keys{},
+                  "How many points are between two breakpoints; one alone is no line."},
+        TestWords{"points_of_line", Piece, "points for a line", Count, Keys{},
+                  "How many points the piece had when its run was divided; the line of so few rests on its ends."},
+        TestWords{"line_distance", Piece, "off the line", Metre,
+                  Keys{"segments.split-distance", "segments.split-sigmas"},
+                  "How far the point is from the line of the piece beside it. The limit is larger where the point is "
+                  "noisy."},
+        TestWords{"line_chi2", Piece, "χ² to the line", ChiSquare, Keys{},
+                  "Squared distance of the point from the line of the piece beside it, in variances."},
         TestWords{"plane_distance", Any, "D", Metre,
                   Keys{"assignment.plane-distance", "assignment.plane-distance-sigmas"},
                   "How far the farther end of the segment is from the plane. The limit is larger where that end "

@@ -214,7 +214,7 @@ TestAbout aboutOf(const Decision& decision)
             return from != nullptr && to != nullptr && from->id != to->id ? Move : Join;
         }
         case DecisionKind::Reject:
-            return Join;
+            return decision.phase == Phase::Extract ? Piece : Join;
         case DecisionKind::Cluster:
             return Any;
         case DecisionKind::Fit:

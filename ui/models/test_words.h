@@ -27,6 +27,7 @@ enum class TestAbout {
     Merge,   ///< whether two planes are one, by their segments' end points
     Tracks,  ///< the same by likelihood
     Absorb,  ///< whether a plane covers another
+    Piece,   ///< whether neighbouring echoes are a segment
 };
 
 /// How people see a number of a comparison.

@@ -40,8 +40,8 @@ QString totalsRow(const QString& name, const Snapshot& map)
         return QStringLiteral("<td align=\"right\" style=\"padding-left:12px\">%1</td>").arg(text);
     };
     return QStringLiteral("<tr><td><b>%1</b></td>").arg(name.toHtmlEscaped()) + cell(QString::number(counts.planes)) +
-           cell(QString::number(counts.fitted)) + cell(QString::number(counts.unfitted)) +
-           cell(numberText(counts.meanError, 2)) + QStringLiteral("</tr>");
+           cell(QString::number(counts.fitted)) + cell(QString::number(counts.unfitted)) + cell(meanErrorText(counts)) +
+           QStringLiteral("</tr>");
 }
 
 }  // namespace

@@ -50,17 +50,16 @@ QString headerText(const InspectedStep& step)
                     .arg(milliseconds > kStepTime ? QStringLiteral("<b>▲ ") : QString{}, numberText(milliseconds, 1),
                          milliseconds > kStepTime ? QStringLiteral("</b>") : QString{});
     if (report.step >= 0)
-        text += QObject::tr("<br>%1 points, %2 segments: %3 assigned, %4 clustered")
-                    .arg(counts.returns)
-                    .arg(counts.segments)
+        text += QObject::tr("<br>%1, %2: %3 assigned, %4 clustered")
+                    .arg(countText(counts.returns, QObject::tr("return"), QObject::tr("returns")),
+                         countText(counts.segments, QObject::tr("segment"), QObject::tr("segments")))
                     .arg(counts.assigned)
                     .arg(counts.clustered);
-    text += QObject::tr("<br>So far %1 segments: %2 fitted, %3 unfitted; %4 planes, mean E %5")
-                .arg(counts.fitted + counts.unfitted)
+    text += QObject::tr("<br>So far %1: %2 fitted, %3 unfitted; %4, mean E %5")
+                .arg(countText(counts.fitted + counts.unfitted, QObject::tr("segment"), QObject::tr("segments")))
                 .arg(counts.fitted)
                 .arg(counts.unfitted)
-                .arg(counts.planes)
-                .arg(numberText(counts.meanError, 2));
+                .arg(countText(counts.planes, QObject::tr("plane"), QObject::tr("planes")), meanErrorText(counts));
     return text;
 }
 
@@ -92,7 +91,7 @@ InspectorPanel::InspectorPanel(QWidget* parent)
     header_->setWordWrap(true);
     header_->setTextFormat(Qt::RichText);
     header_->setToolTip(
-        tr("Points and segments of this slice; then all segments of the scan so far. A step should be "
+        tr("Returns and segments of this slice; then all segments of the scan so far. A step should be "
            "over before the next slice comes, which is 25 ms at 40 slices a second."));
     layout->addWidget(header_);
 

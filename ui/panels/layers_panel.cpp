@@ -10,7 +10,6 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QSlider>
 #include <QVBoxLayout>
 
@@ -68,7 +67,7 @@ LayersPanel::LayersPanel(QWidget* parent)
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
-    layout->addWidget(scrolling(content, this));
+    layout->addWidget(content);
     setTabOrder(colourBy_, rows_.front().visible);
     for (std::size_t i = 0; i < kLayers; ++i) {
         setTabOrder(rows_[i].visible, rows_[i].opacity);

@@ -16,6 +16,7 @@
 
 #include "core/types/plane_words.h"
 #include "ui/models/decision_text.h"
+#include "ui/models/number_text.h"
 #include "ui/theme/theme.h"
 
 namespace planewright {
@@ -171,9 +172,9 @@ QString LineageView::tipAt(const QPointF& place) const
     int segments = 0;
     for (const PlaneLife::Size& size : life.sizes)
         segments = size.step <= moment ? size.segments : segments;
-    return tr("%1 at step %2: %3 segments")
-        .arg(QString::fromStdString(planeLabel(life.plane)), stepText(chart_.stepOf(moment)))
-        .arg(segments);
+    return tr("%1 at step %2: %3")
+        .arg(QString::fromStdString(planeLabel(life.plane)), stepText(chart_.stepOf(moment)),
+             countText(segments, tr("segment"), tr("segments")));
 }
 
 bool LineageView::viewportEvent(QEvent* event)

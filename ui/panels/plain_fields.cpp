@@ -4,6 +4,7 @@
 #include "ui/panels/plain_fields.h"
 
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QWheelEvent>
 
 namespace planewright {
@@ -65,9 +66,27 @@ void PlainSpinBox::wheelEvent(QWheelEvent* event)
         event->ignore();
 }
 
+namespace {
+
+/// Scrolls up and down only, and is never narrower than what it holds: what is cut off could not be reached.
+class UprightScrollArea : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+
+    QSize minimumSizeHint() const override
+    {
+        QSize size = QScrollArea::minimumSizeHint();
+        if (widget() != nullptr)
+            size.setWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+        return size;
+    }
+};
+
+}  // namespace
+
 QScrollArea* scrolling(QWidget* content, QWidget* parent)
 {
-    auto* area = new QScrollArea(parent);
+    auto* area = new UprightScrollArea(parent);
     area->setWidget(content);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);

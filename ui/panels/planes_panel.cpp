@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
+#include "ui/common/error_limit.h"
 #include "ui/models/number_text.h"
 #include "ui/panels/filter_box.h"
 #include "ui/panels/filtered_table.h"
@@ -42,7 +43,7 @@ QStringList samples()
     texts[column(PlaneColumn::Distance)] = QStringLiteral("00.00");
     texts[column(PlaneColumn::SegmentCount)] = QStringLiteral("000");
     texts[column(PlaneColumn::Size)] = QStringLiteral("12.34 × 12.34");
-    texts[column(PlaneColumn::Error)] = QStringLiteral("0.00");
+    texts[column(PlaneColumn::Error)] = QStringLiteral("00.00");
     texts[column(PlaneColumn::MadeOf)] = QStringLiteral("P03←P07+P11");
     texts[column(PlaneColumn::State)] = QStringLiteral("merged");
     return texts;
@@ -57,11 +58,10 @@ struct Totals {
 
 QString totalsText(const Totals& totals)
 {
-    return QStringLiteral("%1 %2, %3%4 m², %5 segments")
-        .arg(totals.planes)
-        .arg(totals.planes == 1 ? QStringLiteral("plane") : QStringLiteral("planes"))
-        .arg(totals.complete ? QString{} : QStringLiteral("more than "), numberText(totals.area, 2))
-        .arg(totals.segments);
+    return QStringLiteral("%1, %2%3 m², %4")
+        .arg(countText(totals.planes, QStringLiteral("plane"), QStringLiteral("planes")),
+             totals.complete ? QString{} : QStringLiteral("more than "), numberText(totals.area, 2),
+             countText(totals.segments, QStringLiteral("segment"), QStringLiteral("segments")));
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ PlanesPanel::PlanesPanel(PlanesModel& model, MapSelection& selection, QWidget* p
 void PlanesPanel::setParameters(const Parameters& parameters)
 {
     parameters_ = parameters;
-    model_.setErrorLimit(parameters.planes.errorLimit);
+    model_.setErrorLimit(errorLimitOf(parameters));
     sayWhyEmpty();
 }
 
@@ -183,11 +183,18 @@ void PlanesPanel::sayWhyEmpty()
     QString text = tr("No planes yet. The first fit happens at step %1.").arg(parameters_.schedule.fitEvery);
     if (map && map->finished) {
         const int unfitted = map->snapshot ? map->snapshot->report.counts.unfitted : 0;
-        text = tr("No plane had N<sub>c</sub> = %1 segments. %2 segments are unfitted.<br><br>"
-                  "<a href=\"unfitted\">Show unfitted</a> &nbsp; <a href=\"%3\">Lower N<sub>c</sub>…</a>")
-                   .arg(parameters_.planes.minClusterSegments)
-                   .arg(unfitted)
-                   .arg(QLatin1String(kMinSegmentsKey.data(), static_cast<qsizetype>(kMinSegmentsKey.size())));
+        // The estimator by likelihood makes planes of segments that face each other, not of clusters.
+        const bool ofClusters = parameters_.method.estimator == Estimator::EndPoints;
+        text = ofClusters ? tr("No plane had N<sub>c</sub> = %1 segments.").arg(parameters_.planes.minClusterSegments)
+                          : tr("No segments gave a plane.");
+        text += QLatin1Char(' ') +
+                (unfitted == 1 ? tr("1 segment is unfitted.") : tr("%1 segments are unfitted.").arg(unfitted));
+        text += tr("<br><br><a href=\"unfitted\">Show unfitted</a>");
+        if (ofClusters)
+            text += tr(" &nbsp; <a href=\"%1\">Lower N<sub>c</sub>…</a>")
+                        .arg(QLatin1String(kMinSegmentsKey.data(), static_cast<qsizetype>(kMinSegmentsKey.size())));
+        if (unfitted == 0)
+            text = tr("No planes: the scan has no line segments.");
     }
     table_->setEmptyText(text);
 }

@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QVBoxLayout>
 
+#include "ui/models/number_text.h"
 #include "ui/panels/filtered_table.h"
 
 namespace planewright {
@@ -49,14 +50,14 @@ SegmentsPanel::SegmentsPanel(SegmentsModel& model, MapSelection& selection, QWid
                        QStringLiteral("00.0"), point, point});
 
     connect(unfittedOnly_, &QCheckBox::toggled, this, [this](bool only) {
-        table_->setEmptyText(only ? tr("Every segment belongs to a plane.")
-                                  : tr("No segments yet. They come with the first slice."));
+        sayWhyEmpty();
         table_->setRequirement(only ? QStringLiteral("state:unfitted") : QString{});
     });
     connect(table_, &FilteredTable::chosenChanged, this, &SegmentsPanel::giveSelection);
     connect(table_, &FilteredTable::rowsChanged, this, &SegmentsPanel::sumUp);
     connect(table_, &FilteredTable::filtered, this, &SegmentsPanel::takeSelection);
     connect(&selection_, &MapSelection::changed, this, &SegmentsPanel::takeSelection);
+    connect(&model_, &SegmentsModel::mapChanged, this, &SegmentsPanel::sayWhyEmpty);
     sumUp();
 }
 
@@ -89,13 +90,24 @@ void SegmentsPanel::giveSelection()
     selection_.selectSegments(std::move(segments));
 }
 
+void SegmentsPanel::sayWhyEmpty()
+{
+    const bool isOver = model_.map() && model_.map()->finished;
+    if (model_.rowCount() > 0 && unfittedOnly_->isChecked())
+        table_->setEmptyText(tr("Every segment belongs to a plane."));
+    else
+        table_->setEmptyText(isOver ? tr("The scan has no line segments.")
+                                    : tr("No segments yet. They come with the first slice."));
+}
+
 void SegmentsPanel::sumUp()
 {
     const int seen = table_->rows()->rowCount();
-    table_->setFooter(
-        model_.rowCount() == 0
-            ? QString{}
-            : tr("%1 of %2 segments shown, %3 unfitted").arg(seen).arg(model_.rowCount()).arg(model_.unfitted()));
+    table_->setFooter(model_.rowCount() == 0 ? QString{}
+                                             : tr("%1 of %2 shown, %3 unfitted")
+                                                   .arg(seen)
+                                                   .arg(countText(model_.rowCount(), tr("segment"), tr("segments")))
+                                                   .arg(model_.unfitted()));
 }
 
 }  // namespace planewright

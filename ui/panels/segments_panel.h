@@ -31,6 +31,7 @@ private:
     void takeSelection();
     void giveSelection();
     void sumUp();
+    void sayWhyEmpty();
 
     SegmentsModel& model_;
     MapSelection& selection_;

@@ -38,7 +38,7 @@ constexpr std::array<Words, 9> kScenes{{{"corridor", "Corridor"},
                                         {"empty", "Empty"},
                                         {"hostile", "Hostile"}}};
 constexpr std::array<Words, 5> kNoises{{{"none", "None: exact"},
-                                        {"default", "Default: 8 mm + 1 mm/m"},
+                                        {"default", "Default: 8 mm, 1 mm/m"},
                                         {"P", "P: 3 mm/m"},
                                         {"S", "S: 10 mm, 30 mm far"},
                                         {"A", "A: 30 mm, 50 mm far"}}};
@@ -105,6 +105,9 @@ SimulatorForm::SimulatorForm(QWidget* parent)
     };
     addNames(scene_, sceneNames(), kScenes);
     addNames(noise_, simulationNoiseNames(), kNoises);
+    // Its numbers are to be read: where there is too little room its label goes above it.
+    noise_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     addSpeeds(speed_);
     seed_->setValidator(new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,19}")), seed_));
     seed_->setToolTip(tr("The number that room and noise come from: the same number gives the same scan"));

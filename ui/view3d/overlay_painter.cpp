@@ -10,6 +10,7 @@
 
 #include <QFontMetrics>
 #include <QObject>
+#include <QPainterPath>
 
 namespace planewright {
 
@@ -18,6 +19,7 @@ namespace {
 constexpr int kMargin = 12;
 constexpr int kPadding = 6;
 constexpr std::size_t kMostLegendLines = 16;
+constexpr int kFewestLegendLines = 2;
 
 /// A rounded plate that text stands on, so that it can be read over anything.
 void paintPlate(QPainter& painter, const QRect& rect, QColor colour, int alpha = 215)
@@ -68,14 +70,19 @@ void paintLabels(QPainter& painter, QSize size, const MapScene& scene)
     }
 }
 
-void paintLegend(QPainter& painter, QSize size, const MapScene& scene)
+/// As many lines as there is room for between a top and the bottom, the last of them for those that there is none for.
+/// The chip may reach above it.
+void paintLegend(QPainter& painter, QSize size, const MapScene& scene, int top, const QRect& chip)
 {
-    const std::vector<LegendEntry> entries = scene.legend(kMostLegendLines);
-    if (!scene.map().snapshot || entries.empty())
-        return;
     const ThemeColours& colours = themeColours(scene.theme());
     const QFontMetrics metrics(painter.font());
     const int line = metrics.height() + 2;
+    const int most = (size.height() - kMargin - top - 2 * kPadding) / line - 1;
+    if (!scene.map().snapshot || most < kFewestLegendLines)
+        return;
+    const std::vector<LegendEntry> entries = scene.legend(std::min(kMostLegendLines, static_cast<std::size_t>(most)));
+    if (entries.empty())
+        return;
     const QString title =
         QObject::tr("Colour by %1")
             .arg(QString::fromUtf8(kColourByNames[static_cast<std::size_t>(scene.layers().colourBy)].data()));
@@ -84,6 +91,10 @@ void paintLegend(QPainter& painter, QSize size, const MapScene& scene)
         width = std::max(width, metrics.horizontalAdvance(QString::fromStdString(entry.text)) + 20);
     QRect plate(0, 0, width + 2 * kPadding, line * (static_cast<int>(entries.size()) + 1) + 2 * kPadding);
     plate.moveBottomRight(QPoint(size.width() - kMargin, size.height() - kMargin));
+    if (plate.intersects(chip)) {
+        paintLegend(painter, size, scene, chip.bottom() + kPadding, {});
+        return;
+    }
     paintPlate(painter, plate, toQColor(colours.background));
     painter.setPen(toQColor(colours.text));
     QRect row(plate.left() + kPadding, plate.top() + kPadding, width, line);
@@ -119,26 +130,56 @@ void paintScaleBar(QPainter& painter, QSize size, const MapScene& scene)
                      text);
 }
 
-void paintState(QPainter& painter, const MapScene& scene, const OverlayContent& content)
+/// A closed lock; drawn, since few fonts have one.
+void paintLock(QPainter& painter, const QRectF& box)
+{
+    painter.save();
+    const double line = 0.11 * box.height();
+    const QRectF body(box.left() + 0.08 * box.width(), box.top() + 0.45 * box.height(), 0.84 * box.width(),
+                      0.55 * box.height());
+    const QRectF shackle(body.left() + 0.16 * body.width(), box.top() + 0.5 * line, 0.68 * body.width(),
+                         0.8 * box.height());
+    painter.setPen(QPen(Qt::white, line));
+    painter.setBrush(Qt::NoBrush);
+    QPainterPath path(QPointF(shackle.left(), body.top()));
+    path.lineTo(shackle.left(), shackle.center().y());
+    path.arcTo(shackle, 180.0, -180.0);
+    path.lineTo(shackle.right(), body.top());
+    painter.drawPath(path);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Qt::white);
+    painter.drawRoundedRect(body, line, line);
+    painter.restore();
+}
+
+/// Where the chip would reach into the corner it goes below it. Gives where it is.
+QRect paintState(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content)
 {
     const QFontMetrics metrics(painter.font());
     const ThemeColours& colours = themeColours(scene.theme());
     int top = kMargin;
+    QRect chip;
     if (!content.stateText.isEmpty()) {
         const QStringList lines = content.stateText.split(QLatin1Char('\n'));
         int widest = 0;
         for (const QString& line : lines)
             widest = std::max(widest, metrics.horizontalAdvance(line));
-        const QRect chip(kMargin, top, widest + 4 * kPadding,
-                         static_cast<int>(lines.size()) * metrics.height() + 2 * kPadding);
+        const int lock = content.locked ? metrics.ascent() + kPadding : 0;
+        chip = QRect(kMargin, top, widest + lock + 4 * kPadding,
+                     static_cast<int>(lines.size()) * metrics.height() + 2 * kPadding);
+        if (!content.corner.isEmpty() && chip.right() + kPadding > size.width() - content.corner.width())
+            chip.moveTop(std::max(top, content.corner.height() + kPadding));
         paintPlate(painter, chip, content.stateColour, 255);
+        if (content.locked)
+            paintLock(painter, QRectF(chip.left() + 2 * kPadding, chip.top() + kPadding + 0.5 * metrics.descent(),
+                                      0.8 * metrics.ascent(), metrics.ascent()));
         painter.setPen(Qt::white);
-        painter.drawText(chip.adjusted(2 * kPadding, 0, -2 * kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft,
+        painter.drawText(chip.adjusted(2 * kPadding + lock, 0, -2 * kPadding, 0), Qt::AlignVCenter | Qt::AlignLeft,
                          content.stateText);
         top = chip.bottom() + 5;
     }
     if (content.facts.isEmpty())
-        return;
+        return chip;
     int width = 0;
     for (const QString& fact : content.facts)
         width = std::max(width, metrics.horizontalAdvance(fact));
@@ -147,6 +188,7 @@ void paintState(QPainter& painter, const MapScene& scene, const OverlayContent& 
     paintPlate(painter, plate, toQColor(colours.background));
     painter.setPen(toQColor(colours.text));
     painter.drawText(plate.adjusted(kPadding, kPadding, -kPadding, -kPadding), Qt::AlignLeft, content.facts.join('\n'));
+    return chip;
 }
 
 void paintTip(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content)
@@ -188,9 +230,9 @@ void paintOverlay(QPainter& painter, QSize size, const MapScene& scene, const Ov
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::TextAntialiasing);
     paintLabels(painter, size, scene);
-    paintLegend(painter, size, scene);
+    const QRect chip = paintState(painter, size, scene, content);
+    paintLegend(painter, size, scene, std::max(kMargin, content.corner.height() + kPadding), chip);
     paintScaleBar(painter, size, scene);
-    paintState(painter, scene, content);
     if (!content.hint.isEmpty()) {
         painter.setPen(toQColor(themeColours(scene.theme()).text));
         QFont large = painter.font();

@@ -15,12 +15,14 @@ namespace planewright {
 
 /// What is written over the scene, beside what the scene itself says.
 struct OverlayContent {
-    QString stateText;   ///< of the session, with its sign, in lines; empty for none
-    QColor stateColour;  ///< of the chip
-    QStringList facts;   ///< lines below the chip
-    QString hint;        ///< in the middle, where there is nothing to see
-    QString tip;         ///< at the pointer
+    QString stateText;    ///< of the session, with its sign, in lines; empty for none
+    QColor stateColour;   ///< of the chip
+    bool locked = false;  ///< a lock stands before the state
+    QStringList facts;    ///< lines below the chip
+    QString hint;         ///< in the middle, where there is nothing to see
+    QString tip;          ///< at the pointer
     QPoint tipPlace;
+    QSize corner;  ///< at the top right something else stands over the picture
 };
 
 QColor toQColor(Rgb colour);

@@ -10,8 +10,8 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include "core/types/plane_words.h"
 #include "ui/view3d/overlay_widget.h"
+#include "ui/view3d/pointer_tip.h"
 
 namespace planewright {
 
@@ -22,22 +22,6 @@ constexpr int kHoverMilliseconds = 60;
 constexpr double kClickPixels = 4.0;  // a press that moves less is a click
 constexpr double kPickPixels = 6.0;
 constexpr double kZoomOfNotch = 1.2;
-
-/// What is said at the pointer about what is there.
-QString tipOf(const Picked& picked, const ShownMap& map)
-{
-    if (picked.plane == kNoPlane && picked.segment)
-        return View3d::tr("segment %1, unfitted").arg(QString::fromStdString(segmentLabel(*picked.segment)));
-    const auto shown = std::find_if(map.planes.begin(), map.planes.end(),
-                                    [&](const ShownPlane& plane) { return plane.plane->id == picked.plane; });
-    if (shown == map.planes.end())
-        return {};
-    return View3d::tr("%1 %2, %3 m², E %4")
-        .arg(QString::fromStdString(planeLabel(picked.plane)))
-        .arg(QString::fromStdString(shown->name.empty() ? shown->className : shown->name))
-        .arg(shown->outline ? shown->outline->outline.area : 0.0, 0, 'f', 2)
-        .arg(shown->plane->fittingError, 0, 'f', 2);
-}
 
 }  // namespace
 
@@ -144,9 +128,17 @@ void View3d::setOverlay(const OverlayContent& content)
 {
     const QString tip = overlay_.tip;
     const QPoint place = overlay_.tipPlace;
+    const QSize corner = overlay_.corner;
     overlay_ = content;
     overlay_.tip = tip;
     overlay_.tipPlace = place;
+    overlay_.corner = corner;
+    glass_->update();
+}
+
+void View3d::keepCornerFree(QSize corner)
+{
+    overlay_.corner = corner;
     glass_->update();
 }
 
@@ -359,7 +351,7 @@ void View3d::hoverNow()
     const auto picked = pickedAt(last_);
     const PlaneId plane = picked ? picked->plane : kNoPlane;
     emit pointerMoved(picked ? std::optional{picked->place} : std::nullopt);
-    overlay_.tip = picked ? tipOf(*picked, scene_.map()) : QString();
+    overlay_.tip = picked ? pointerTip(*picked, scene_.map()) : QString();
     overlay_.tipPlace = last_.toPoint();
     if (plane != scene_.selection().hovered) {
         SceneSelection selection = scene_.selection();
@@ -393,6 +385,7 @@ QImage View3d::picture(QSize size, double pixelRatio)
     painter.setFont(font());
     OverlayContent content = overlay_;
     content.tip.clear();
+    content.corner = {};
     paintOverlay(painter, (QSizeF(size) / pixelRatio).toSize(), scene_, content);
     return image;
 }

@@ -48,7 +48,10 @@ public:
     void setSelection(const SceneSelection& selection);
     void setMeasurements(const std::vector<MeasuredLine>& lines);
     void setClipBox(const std::optional<Eigen::AlignedBox3d>& box);
+    /// Its corner is that of keepCornerFree().
     void setOverlay(const OverlayContent& content);
+    /// Nothing is written where something stands over the top right of the view [px], but in pictures of it alone.
+    void keepCornerFree(QSize corner);
     const OverlayContent& overlay() const { return overlay_; }
     void setCamera(const ViewCamera& camera);
     const ViewCamera& camera() const { return scene_.camera(); }

@@ -45,8 +45,9 @@ ScanOutcome AcquisitionLoop::takeSlices()
             tellRecordsNowAndThen();
             continue;
         }
-        tellRecords();
-        if (taken || taken.error().code == ErrorCode::Interrupted)
+        const bool isOver = taken || taken.error().code == ErrorCode::Interrupted;
+        tellRecords(isOver ? nullptr : &taken.error());
+        if (isOver)
             return outcomeOfTheEnd();
         out_.push(ScanEvent{ScanEvent::Kind::Fault, {}, {}, taken.error().message});
         if (judge(taken.error()) == Verdict::GiveUp)
@@ -61,20 +62,18 @@ void AcquisitionLoop::tellRecordsNowAndThen()
         tellRecords();
 }
 
-void AcquisitionLoop::tellRecords()
+void AcquisitionLoop::tellRecords(const Error* fault)
 {
     toldAt_ = clock_.now();
     if (const std::vector<FaultRecord> records = source_.takeLog(); !records.empty() && events_.onRecords)
-        events_.onRecords(records);
+        events_.onRecords(records, fault);
 }
 
 ScanOutcome AcquisitionLoop::outcomeOfTheEnd()
 {
     const std::optional<int> planned = source_.plannedSlices();
     const bool isWhole = planned == slices_.load();
-    if (!source_.isLive())
-        return stop_.stop_requested() && !isWhole ? ScanOutcome::Partial : ScanOutcome::Complete;
-    if (planned && !stop_.stop_requested())
+    if (source_.isLive() && planned && !stop_.stop_requested())
         lost_ = std::max(lost_.load(), *planned - slices_);
     return isWhole || (!planned && !stop_.stop_requested()) ? ScanOutcome::Complete : ScanOutcome::Partial;
 }

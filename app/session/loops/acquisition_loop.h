@@ -26,9 +26,9 @@ struct AcquisitionEvents {
     std::function<void(ScanOutcome)> onEnded;   ///< there will be no more slices
     /// A link has failed, and after a while the loop tries again by itself. May be empty.
     std::function<void(const Error&, std::chrono::milliseconds wait)> onRecovering = {};
-    /// What went wrong with devices meanwhile, oldest first: what has cost nothing, and what led to a fault. At most
-    /// once a second while slices come. May be empty.
-    std::function<void(const std::vector<FaultRecord>&)> onRecords = {};
+    /// What went wrong with devices meanwhile, oldest first: what has cost nothing, and what led to a fault, right
+    /// before that is told: `fault` is that one then, else null. At most once a second while slices come. May be empty.
+    std::function<void(const std::vector<FaultRecord>&, const Error* fault)> onRecords = {};
 };
 
 /// How often a scan goes on by itself after a link to a device has failed, 0.5, 1, 2, 2 … s later. What needs a person
@@ -68,7 +68,7 @@ private:
     ScanOutcome takeSlices();
     Result<bool> takeSlice(bool& begun);
     ScanOutcome outcomeOfTheEnd();
-    void tellRecords();
+    void tellRecords(const Error* fault = nullptr);
     void tellRecordsNowAndThen();
     Verdict judge(const Error& error);
     std::optional<std::chrono::milliseconds> waitBeforeRetry(const Error& error);

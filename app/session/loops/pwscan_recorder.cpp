@@ -45,6 +45,8 @@ Result<void> PwscanRecorder::begin(const ScanDescription& description, std::opti
 
 Result<void> PwscanRecorder::close(ScanOutcome outcome)
 {
+    if (writer_->slices() == 0)
+        return writer_->discard();
     switch (outcome) {
         case ScanOutcome::Complete:
             return writer_->close(ScanState::Complete);

@@ -32,6 +32,7 @@ public:
         return writer_->writeParameters(parameters.step, parameters.parameters);
     }
     Result<void> write(const ScanEvent& event) override { return writer_->write(event); }
+    /// Of a scan without a slice nothing is left, nor of the file that was made for it.
     Result<void> close(ScanOutcome outcome) override;
     std::uint64_t bytes() const override;
     std::optional<std::uint64_t> freeBytes() const override;

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/types/count_text.h"
+
 namespace planewright {
 
 RecordingLoop::RecordingLoop(std::unique_ptr<SliceRecorder> recorder, ScanDescription description,
@@ -147,9 +149,14 @@ void RecordingLoop::close()
             break;
     }
     lookAtDisk();
-    if (!closed && !held_.empty())
-        closed = fail(closed.error().code, closed.error().message + "; " + std::to_string(held_.size()) +
-                                               " slices and notes of this scan are not on the disk");
+    if (!closed && !held_.empty()) {
+        const auto slices =
+            std::ranges::count_if(held_, [](const Held& item) { return std::holds_alternative<SharedSlice>(item); });
+        const auto lost = slices > 0 ? slices : static_cast<std::ptrdiff_t>(held_.size());
+        closed =
+            fail(closed.error().code, closed.error().message + "; " + countText(lost, slices > 0 ? "slice" : "note") +
+                                          " of this scan " + (lost == 1 ? "is" : "are") + " not on the disk");
+    }
     events_.onClosed(closed);
 }
 

@@ -45,6 +45,20 @@ private:
     static QJsonObject infoOf(const QString& folder);
 };
 
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kPartial = 4;
+constexpr int kNeedsOperator = 10;
+
+/// On a busy machine some slices of a sweep stay lost.
+bool isRecorded(const ProgramRun& run)
+{
+    return run.code == kDone || run.code == kPartial;
+}
+
+}  // namespace
+
 /// What the program says of room.pwscan.
 QJsonObject CliDevicesTest::infoOf(const QString& folder)
 {
@@ -76,11 +90,11 @@ void CliDevicesTest::aScanIsRecordedOverLinks()
                                           options,
                                       folder.path());
 
-    QVERIFY2(run.code == 0, run.err.constData());
     const QJsonObject info = infoOf(folder.path());
     // A busy machine answers too late for some slices; those that stay lost make the scan a partial one.
     const int slices = info["slices"].toInt();
-    QVERIFY2(slices >= 25, qPrintable(QString::number(slices)));
+    QVERIFY2(slices >= 25, (QByteArray::number(slices) + " " + run.err).constData());
+    QVERIFY2(run.code == (slices == 34 ? kDone : kPartial), run.err.constData());
     QCOMPARE(info["state"].toString(), QString(slices == 34 ? "complete" : "partial"));
     QCOMPARE(info["planned_slices"].toInt(), 34);
     QVERIFY(std::abs(info["pitch_first_deg"].toDouble() - 70.0) < 2.5);
@@ -122,7 +136,7 @@ void CliDevicesTest::aKilledProgramLeavesAScanAndDevicesThatConnectAgain()
     const ProgramRun second =
         runProgram(arguments + QStringList{"room.pwscan", "--tilt", "80:100:1.16", "--retries", "5"}, folder.path());
 
-    QVERIFY2(second.code == 0, second.err.constData());
+    QVERIFY2(isRecorded(second), second.err.constData());
     QCOMPARE(runProgram({"validate", "first.pwscan"}, folder.path()).code, 0);
     QVERIFY(infoOf(folder.path())["slices"].toInt() >= 12);
 }
@@ -137,7 +151,7 @@ void CliDevicesTest::everyByteOfADialogueIsRecorded()
                                        "85:95:1.16", "--dialogues", folder.path(), "-o", "room.pwscan"},
                                       folder.path());
 
-    QVERIFY2(run.code == 0, run.err.constData());
+    QVERIFY2(isRecorded(run), run.err.constData());
     const QByteArray laser = bytesOf(folder.filePath("laser-1.dialogue"));
     QVERIFY(laser.contains("MD0180090000000"));
     QVERIFY(laser.size() > 8 * 2258);
@@ -310,7 +324,7 @@ void CliDevicesTest::aScanBeginsAtLevelWhereThatIsAskedFor()
     const ProgramRun simulated =
         runProgram({"record", "--home", "--scanner", "sim:corridor", "-o", "sim.pwscan"}, folder.path());
 
-    QVERIFY2(run.code == 0, run.err.constData());
+    QVERIFY2(isRecorded(run), run.err.constData());
     QVERIFY2(run.err.contains("the head is at 90") || run.err.contains("the head is at 89."), run.err.constData());
     QVERIFY(infoOf(folder.path())["slices"].toInt() >= 5);
     QCOMPARE(simulated.code, 2);
@@ -341,7 +355,6 @@ void CliDevicesTest::anInterruptHoldsAHeadOnItsWay()
 
 void CliDevicesTest::aUnitThatTurnedItselfOffIsReleasedByAPersonOnly()
 {
-    constexpr int kNeedsOperator = 10;
     const QTemporaryDir folder;
     EmulatedRigProcess rig({"--laser", "tcp:0", "--tilt", "pty", "--fault", "servo-overload@5"});
     QVERIFY2(rig.isServing(), rig.error().constData());

@@ -15,6 +15,7 @@
 #include "devices/emulated/emulated_rig.h"
 #include "tests/devices/holds.h"
 #include "tests/devices/transport/far_end.h"
+#include "tests/devices/transport/test_socket.h"
 #include "tests/devices/transport/usb_rig.h"
 #include "tests/test_program.h"
 
@@ -30,6 +31,7 @@ private slots:
     void aLaserIsNamedByItsPortAsWell();
     void adaptersWithoutANumberAreNamedByTheirPort();
     void everyDialogueHasAFileOfItsOwn();
+    void aHostThatWasThereIsNotTakenByAnotherProgram();
     void aSerialPortThatMayNotBeOpenedHasACure();
 };
 
@@ -181,6 +183,23 @@ void DeviceOpenerTest::everyDialogueHasAFileOfItsOwn()
         QVERIFY2(std::filesystem::exists(path) && std::filesystem::file_size(path) > 100, path.c_str());
     }
     QVERIFY(!std::filesystem::exists(dialogues + "/laser-5.dialogue"));
+}
+
+void DeviceOpenerTest::aHostThatWasThereIsNotTakenByAnotherProgram()
+{
+    auto device = std::make_unique<TestListener>();
+    const DeviceAddress address = addressOf("dynamixel:tcp:127.0.0.1:" + std::to_string(device->port()) + "?id=1");
+    DeviceOpener opener(steadyClock());
+    DeviceOpener newcomer(steadyClock());
+    QVERIFY(!opener.openTiltUnit(address, {}));  // it was connected, and nothing answered
+
+    device.reset();
+    const auto again = opener.openTiltUnit(address, {});
+    const auto first = newcomer.openTiltUnit(address, {});
+
+    QVERIFY(!again && !first);
+    QVERIFY2(holds(again.error().message, "nothing answers there yet"), again.error().message.c_str());
+    QVERIFY2(holds(first.error().message, "it serves one client at a time"), first.error().message.c_str());
 }
 
 void DeviceOpenerTest::aSerialPortThatMayNotBeOpenedHasACure()

@@ -26,6 +26,7 @@ private slots:
     void anExtractionWithItsOwnParametersIsTheSame();
     void theOtherMethodIsShownBesideIt();
     void bothShowTheStepThatIsLookedAt();
+    void bothShowThePhaseThatIsLookedAt();
     void bothHaveOneCamera();
     void partnersAreChosenTogether();
     void closingTakesTheSecondViewAway();
@@ -120,6 +121,39 @@ void CompareWindowTest::bothShowTheStepThatIsLookedAt()
     QVERIFY(settle());
     QCOMPARE(model().comparison().pairs.size() + model().comparison().onlyB.size(),
              branch()->history().newest()->snapshot->planes.size());
+}
+
+void CompareWindowTest::bothShowThePhaseThatIsLookedAt()
+{
+    compareWith(QStringLiteral("paper"));
+    const auto planesOfB = [this] { return model().comparison().pairs.size() + model().comparison().onlyB.size(); };
+    const auto facts = [this] { return parts_->window->secondView().overlay().facts.join(QStringLiteral("; ")); };
+    // Step 35 from 1 is one at which both fit, split and merge.
+    parts_->playhead.goTo(34);
+    QVERIFY(settle());
+    const auto expected = const_cast<ScanBranch*>(branch())->history().explained(34);
+    QVERIFY(expected);
+    QCOMPARE((*expected)->phases.size(), std::size_t(6));
+
+    for (std::size_t phase = 0; phase < 6; ++phase) {
+        parts_->playhead.showPhase(phase);
+        QVERIFY(settle());
+
+        QCOMPARE(parts_->shown->snapshot, parts_->shownPhase);
+        QCOMPARE(planesOfB(), (*expected)->phases[phase].snapshot->planes.size());
+        QVERIFY2(facts().contains(QStringLiteral("after ")), qPrintable(facts()));
+    }
+
+    // The passes of the other method are others.
+    parts_->playhead.follow();
+    QVERIFY(settle());
+    const auto last = parts_->session.explained(-1);
+    QVERIFY(last);
+    parts_->playhead.showPhase(1);
+    QCOMPARE((*last)->phases[1].pass, std::string_view("split"));
+    QVERIFY(settle());
+    QCOMPARE(planesOfB(), branch()->history().newest()->snapshot->planes.size());
+    QVERIFY2(facts().contains(QStringLiteral("at its end")), qPrintable(facts()));
 }
 
 void CompareWindowTest::bothHaveOneCamera()

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <utility>
+
 #include <QDockWidget>
 #include <QPushButton>
 #include <QtTest>
@@ -30,6 +32,7 @@ private slots:
     void whyNotTakesTheSelection();
     void whyNotOfASegmentAndAPlane();
     void whyNotIsAskedAgainAtAnotherStep();
+    void theRunThatReplacesAnotherIsTold();
     void theSelectionFollowsAPlaneThroughTime();
     void theGraphLeadsToItsSteps();
     void itFollowsAScanThatRuns();
@@ -315,6 +318,50 @@ void InspectorWindowTest::whyNotIsAskedAgainAtAnotherStep()
 
     QVERIFY(waitUntil([&] { return whyNot().sentence().startsWith("There is no P"); }, kPatience));
     QVERIFY(whyNot().sentence().contains(QStringLiteral("at step 1.")));
+}
+
+void InspectorWindowTest::theRunThatReplacesAnotherIsTold()
+{
+    scanAndInspect();
+    QVERIFY(waitUntil([&] { return inspector().header().startsWith("Last pass"); }, kPatience));
+    const auto& planes = parts_->playhead.snapshot()->planes;
+    const PlaneRef first{planes[0]->id};
+    const PlaneRef second{planes[1]->id};
+    parts_->selection.select({first.id, second.id});
+    shown_->action("actWhyNot")->trigger();
+    const double before = whyNot().model().answer()->ways[0].tests[0].value;
+    const int fittedBefore = parts_->playhead.snapshot()->report.counts.fitted;
+    const std::size_t steps = parts_->playhead.history().size();
+    Parameters parameters = parts_->session.parameters();
+    const double gate = std::exchange(parameters.likelihood.joinGate, 6.0);
+
+    QVERIFY(parts_->session.setParameters(parameters));
+    shown_->action("actRerun")->trigger();
+    QVERIFY(waitUntil([&] { return parts_->playhead.snapshot()->report.counts.fitted != fittedBefore; }, kPatience));
+    QVERIFY(settle());
+
+    QCOMPARE(parts_->playhead.history().size(), steps);
+    const auto snapshot = parts_->playhead.snapshot();
+    QVERIFY(waitUntil([&] { return whyNot().model().answer()->ways[0].tests[0].value != before; }, kPatience));
+    const auto expected = parts_->session.whyNot(-1, first, second);
+    QVERIFY(expected);
+    QCOMPARE(whyNot().model().answer()->ways[0].tests[0].value, expected->ways[0].tests[0].value);
+    tabs().setCurrentWidget(&inspector());
+    const StepCounts& counts = snapshot->report.counts;
+    const QString numbers = QStringLiteral("So far %1 segments: %2 fitted, %3 unfitted; %4 planes")
+                                .arg(counts.fitted + counts.unfitted)
+                                .arg(counts.fitted)
+                                .arg(counts.unfitted)
+                                .arg(counts.planes);
+    QVERIFY2(inspector().header().contains(numbers), qPrintable(inspector().header()));
+    // The same while the inspector is in front.
+    parameters.likelihood.joinGate = gate;
+    QVERIFY(parts_->session.setParameters(parameters));
+    shown_->action("actRerun")->trigger();
+    QVERIFY(waitUntil([&] { return parts_->playhead.snapshot() != snapshot; }, kPatience));
+    QVERIFY(waitUntil([&] { return inspector().model().step()->snapshot == parts_->playhead.snapshot(); }, kPatience));
+    QCOMPARE(parts_->playhead.snapshot()->report.counts.fitted, fittedBefore);
+    QVERIFY(inspector().header().contains(QStringLiteral("%1 fitted").arg(fittedBefore)));
 }
 
 void InspectorWindowTest::theSelectionFollowsAPlaneThroughTime()

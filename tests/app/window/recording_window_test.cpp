@@ -12,6 +12,7 @@
 #include "app/files/recording_file.h"
 #include "app/window/exports.h"
 #include "app/window/waiting.h"
+#include "core/formats/sqlite_database.h"
 #include "core/simulation/nodding_scanner.h"
 #include "core/simulation/scenes.h"
 #include "tests/app/window/shown_window.h"
@@ -33,6 +34,10 @@ private slots:
     void tooLittleSpaceIsToldBeforeItScans();
     void aRoomIsScannedAsItWasSetUp();
     void aProjectOpensAsItWasLeft();
+    void aDamagedProjectIsPartialAndToldSo();
+    void aProjectOfANewerVersionSaysWhyItIsReadOnly();
+    void aScanThatLacksSlicesIsPartial_data();
+    void aScanThatLacksSlicesIsPartial();
     void aCopyHoldsWhatWasMeasuredAndTheEdits();
     void aCopyOfAProjectHoldsAllOfIt();
 
@@ -41,6 +46,9 @@ private:
     void record(const QString& folder);
     Banner& banner() { return shown_->parts.window->banner(); }
     bool comesToReview();
+    /// Records the corridor, changes its file with SQL, and opens that; its state then.
+    void reopenChanged(const std::string& sql, SessionState state);
+    QString chip() { return shown_->parts.window->view().overlay().stateText; }
 
     std::unique_ptr<QTemporaryDir> folder_;
     std::unique_ptr<ShownWindow> shown_;
@@ -210,6 +218,84 @@ void RecordingWindowTest::aProjectOpensAsItWasLeft()
     QVERIFY(!shown_->parts.layers[Layer::Clusters].visible);
     QVERIFY(std::abs(shown_->parts.window->view().camera().heading - heading) < 1e-6);
     QVERIFY(std::abs(shown_->parts.window->view().camera().elevation - elevation) < 1e-6);
+}
+
+void RecordingWindowTest::reopenChanged(const std::string& sql, SessionState state)
+{
+    record(folder_->path());
+    QVERIFY(shown_->scanCorridor());
+    const std::string file = shown_->parts.session.project()->path();
+    shown_.reset();
+    {
+        auto database = SqlDatabase::open(file, SqlDatabase::Access::Write, ErrorCode::NotWritten);
+        QVERIFY(database && database->run(sql.c_str()));
+    }
+    openWindow();
+    shown_->controllers->scan.open(QString::fromStdString(file));
+    QVERIFY(waitUntil([&] { return shown_->parts.session.state() == state; }, kPatience));
+    QVERIFY(waitForRest(shown_->parts, kPatience));
+}
+
+void RecordingWindowTest::aDamagedProjectIsPartialAndToldSo()
+{
+    // Steps 0, 5, … 130.
+    reopenChanged("UPDATE slice SET crc32 = crc32 + 1 WHERE step % 5 = 0 AND step < 135", SessionState::Review);
+
+    QVERIFY2(chip().startsWith("◐ Partial 110/137, "), qPrintable(chip()));
+    QVERIFY(banner().isVisible());
+    QVERIFY2(banner().text().contains("27 of 137 slices were damaged and left out."), qPrintable(banner().text()));
+    shown_->parts.window->showBottomPanel("measurePanel");
+    QVERIFY(!shown_->parts.logPanel->isVisible());
+    banner().findChild<QPushButton*>("bannerFirst")->click();
+    QVERIFY(shown_->parts.logPanel->isVisible());
+    QVERIFY(!banner().isVisible());
+    const LogModel& log = shown_->parts.logModel;
+    int named = 0;
+    for (int row = 0; row < log.rowCount(); ++row)
+        named += log.index(row, log.columnCount() - 1).data().toString().contains("crc32") ? 1 : 0;
+    QCOMPARE(named, 27);
+    // What is sound is opened without a word.
+    shown_->controllers->scan.open("sim:empty?seed=1&speed=0", true);
+    QVERIFY(comesToReview());
+    QVERIFY(!banner().isVisible());
+}
+
+void RecordingWindowTest::aProjectOfANewerVersionSaysWhyItIsReadOnly()
+{
+    reopenChanged("PRAGMA user_version = 2", SessionState::ReadOnly);
+
+    QVERIFY2(chip().startsWith("Read-only: newer version 137/137, "), qPrintable(chip()));
+    QVERIFY(shown_->parts.window->view().overlay().locked);
+    QVERIFY(banner().isVisible());
+    QVERIFY2(banner().text().contains("newer version of the program"), qPrintable(banner().text()));
+}
+
+void RecordingWindowTest::aScanThatLacksSlicesIsPartial_data()
+{
+    const QString malformed = QStringLiteral(PLANEWRIGHT_SOURCE_DIR "/tests/core/formats/malformed/");
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("chip");
+    QTest::addColumn<bool>("isTold");
+    QTest::newRow("steps 3 and 9") << malformed + "fine-equal-times-and-gap.csv"
+                                   << "◐ Partial 2/10, 0 planes" << false;
+    QTest::newRow("a row cut short") << malformed + "cut-in-a-number.csv"
+                                     << "◐ Partial 1/?, 0 planes" << true;
+    QTest::newRow("whole") << malformed + "fine-crlf.csv"
+                           << "✔ Complete" << false;
+}
+
+void RecordingWindowTest::aScanThatLacksSlicesIsPartial()
+{
+    QFETCH(QString, file);
+    QFETCH(bool, isTold);
+
+    shown_->controllers->scan.open(file);
+
+    QVERIFY(comesToReview());
+    QVERIFY(waitForRest(shown_->parts, kPatience));
+    QFETCH(QString, chip);
+    QVERIFY2(this->chip().startsWith(chip), qPrintable(this->chip()));
+    QCOMPARE(banner().isVisible(), isTold);
 }
 
 void RecordingWindowTest::aCopyHoldsWhatWasMeasuredAndTheEdits()

@@ -9,6 +9,8 @@
 
 #include "app/window/exports.h"
 #include "app/window/waiting.h"
+#include "core/formats/pwscan_writer.h"
+#include "core/simulation/nodding_scanner.h"
 #include "devices/emulated/simulated_room.h"
 #include "tests/app/window/shown_window.h"
 #include "tests/test_program.h"
@@ -35,6 +37,7 @@ private slots:
     void aRangeIsPlayedAgain();
     void bookmarksAreKeptWithTheScan();
     void editsAreMarkedWhereTheirPlaneWasBorn();
+    void faultsOfARecordingAreMarkedAtTheirStep();
     void layoutsShowWhatTheyAreFor_data();
     void layoutsShowWhatTheyAreFor();
     void everyStepLooksTheSameBothWays_data();
@@ -392,6 +395,52 @@ void TimelineWindowTest::editsAreMarkedWhereTheirPlaneWasBorn()
     QVERIFY2(edits(born).front().contains("hidden"), qPrintable(edits(born).front()));
     action("actUndo")->trigger();
     QVERIFY(waitUntil([&] { return edits(born).isEmpty(); }, kPatience));
+}
+
+void TimelineWindowTest::faultsOfARecordingAreMarkedAtTheirStep()
+{
+    const std::string path = folder_.filePath("faults.pwscan").toStdString();
+    const SimulatedScan scan = simulate(*makeScene("corridor", 7), {}, simulationNoise("default").value(), 7);
+    ScanRecord record;
+    record.name = "with faults";
+    record.startedUtc = "2026-03-01T08:30:00Z";
+    record.description = scan.recording.description;
+    auto writer = PwscanWriter::create(path, record);
+    QVERIFY2(writer, writer ? "" : writer.error().message.c_str());
+    for (const ScanSlice& slice : scan.recording.slices) {
+        // Step 21 was lost with a fault; what is told of it stands at the step before.
+        if (slice.step != 20)
+            QVERIFY(writer->write(slice));
+    }
+    const auto tell = [&](ScanEvent::Kind kind, std::optional<int> step, const char* payload) {
+        return writer->write(ScanEvent{kind, step, {}, payload}).has_value();
+    };
+    QVERIFY(tell(ScanEvent::Kind::Fault, 8, "The scanner did not answer\nwithin 2 s."));
+    QVERIFY(tell(ScanEvent::Kind::Recovered, 9, ""));
+    QVERIFY(tell(ScanEvent::Kind::Fault, 20, R"({"message":"The cable was pulled."})"));
+    QVERIFY(tell(ScanEvent::Kind::Fault, {}, "somewhen"));
+    QVERIFY(tell(ScanEvent::Kind::Note, 12, "no fault"));
+    QVERIFY(writer->close(ScanState::Complete));
+
+    shown_->controllers->scan.open(QString::fromStdString(path), true);
+    QVERIFY(waitUntil([this] { return parts_->session.state() == SessionState::Review; }, kPatience));
+    rest();
+
+    const auto faultsAt = [this](int at) { return strip().columns()[static_cast<std::size_t>(at)].faults; };
+    QCOMPARE(faultsAt(8), QStringList{"The scanner did not answer within 2 s."});
+    QCOMPARE(faultsAt(9), QStringList{"went on after a fault"});
+    QVERIFY(faultsAt(12).empty());
+    QCOMPARE(faultsAt(19), QStringList{"The cable was pulled."});
+    QCOMPARE(faultsAt(20), QStringList{"step 21 was lost"});
+    panel().findChild<QComboBox*>("timelineEventKind")->setCurrentIndex(3);  // faults
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_Home);
+    std::vector<int> found;
+    for (int i = 0; i < 4; ++i) {
+        QTest::keyClick(&view(), Qt::Key_Period, Qt::ShiftModifier);
+        found.push_back(place());
+    }
+    QCOMPARE(found, (std::vector<int>{8, 9, 19, 20}));
 }
 
 void TimelineWindowTest::layoutsShowWhatTheyAreFor_data()

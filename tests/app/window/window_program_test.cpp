@@ -26,6 +26,13 @@ private slots:
     void badUsageIsToldBeforeAnythingOpens();
     void aFileThatIsNoRecordingIsNamed();
     void editsCanBeTakenBack();
+    void aDamagedFileIsToldAndEndsWithItsCode_data();
+    void aDamagedFileIsToldAndEndsWithItsCode();
+    void dialogsAreOpenForAScript();
+    void anActionThatWaitsForAnAnswerFails();
+    void theWindowIsAsLargeAsItsPicture();
+    void stepsOfAScriptAreStepsOfTheScan_data();
+    void stepsOfAScriptAreStepsOfTheScan();
 
 private:
     struct Run {
@@ -131,7 +138,20 @@ void WindowProgramTest::linesOfAScriptThatMakeNoSenseAreNamed_data()
         << QByteArray(R"({"do":"action","name":"actNothing"})") << "there is no action actNothing";
     QTest::newRow("an action that is not possible")
         << QByteArray(R"({"do":"action","name":"actFinish"})") << "actFinish is not possible now";
-    QTest::newRow("no such object") << QByteArray(R"({"do":"expect","object":"x","property":"y"})")
+    QTest::newRow("unknown key") << QByteArray(
+                                        R"({"do":"expect","object":"mainWindow","property":"visible","equal":false})")
+                                 << "expect has no key \"equal\"; it has object, property, equals, atLeast, atMost";
+    QTest::newRow("nothing expected") << QByteArray(R"({"do":"expect","object":"mainWindow","property":"visible"})")
+                                      << "expect needs \"equals\"";
+    QTest::newRow("a limit that is no number")
+        << QByteArray(R"({"do":"expect","object":"mainWindow","property":"width","atLeast":"100"})")
+        << "\"atLeast\" is a number";
+    QTest::newRow("nothing to set") << QByteArray(R"({"do":"set","object":"view3d","property":"enabled"})")
+                                    << "set needs a \"value\"";
+    QTest::newRow("a timeout that is no number")
+        << QByteArray(R"({"do":"wait","state":"empty","timeout":"long"})") << "\"timeout\" is a number";
+    QTest::newRow("both") << QByteArray(R"({"do":"select","plane":0,"segment":"0.0"})") << "select needs one of";
+    QTest::newRow("no such object") << QByteArray(R"({"do":"expect","object":"x","property":"y","equals":1})")
                                     << "there is no object x";
     QTest::newRow("no such property") << QByteArray(R"({"do":"set","object":"view3d","property":"sense","value":1})")
                                       << "has no property sense";
@@ -212,6 +232,123 @@ void WindowProgramTest::editsCanBeTakenBack()
     const Run done = run({"--script", script});
 
     QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+}
+
+void WindowProgramTest::aDamagedFileIsToldAndEndsWithItsCode_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("exitCode");
+    QTest::newRow("a row cut short") << "cut-in-a-number.csv" << 4;
+    QTest::newRow("compressed data cut short") << "gzip-cut-in-a-row.csv.gz" << 4;
+    QTest::newRow("sound") << "fine-crlf.csv" << 0;
+}
+
+void WindowProgramTest::aDamagedFileIsToldAndEndsWithItsCode()
+{
+    QFETCH(QString, file);
+    QFETCH(int, exitCode);
+    const QString path = QStringLiteral(PLANEWRIGHT_SOURCE_DIR "/tests/core/formats/malformed/") + file;
+    const QString picture = at(file + ".png");
+    const QString script = write("damaged.ndjson", R"({"do":"open","file":")" + path.toUtf8() + R"("}
+{"do":"wait","state":"review"}
+)");
+
+    const Run named = run({path, "--screenshot", picture, "--size", "320x240"});
+    const Run scripted = run({"--script", script});
+
+    QVERIFY(QFile::exists(picture));
+    for (const Run& done : {named, scripted}) {
+        QCOMPARE(done.exitCode, exitCode);
+        QCOMPARE(done.err.count("planewright: warning: " + path), exitCode == 4 ? 1 : 0);
+    }
+}
+
+void WindowProgramTest::dialogsAreOpenForAScript()
+{
+    const QString script = write("dialogs.ndjson", R"({"do":"action","name":"actPreferences"}
+{"do":"expect","object":"preferencesDialog","property":"visible","equals":true}
+{"do":"set","object":"preferencesSearch","property":"text","value":"palette"}
+{"do":"expect","object":"preferencesSearch","property":"text","equals":"palette"}
+{"do":"screenshot","file":")" + at("open.png").toUtf8() +
+                                                       R"(","window":true}
+{"do":"set","object":"preferencesDialog","property":"visible","value":false}
+{"do":"screenshot","file":")" + at("left.png").toUtf8() +
+                                                       R"(","window":true}
+{"do":"action","name":"actShortcuts"}
+{"do":"set","object":"shortcutsDialog","property":"visible","value":false}
+{"do":"action","name":"actCommandPalette"}
+{"do":"set","object":"commandPalette","property":"visible","value":false}
+{"do":"action","name":"actManual"}
+{"do":"set","object":"pageDialog","property":"visible","value":false}
+{"do":"action","name":"actAbout"}
+{"do":"set","object":"aboutDialog","property":"visible","value":false}
+{"do":"expect","object":"aboutDialog","property":"visible","equals":true}
+)");
+
+    const Run done = run({"--script", script});
+
+    // All lines were good but the last: nothing is left open.
+    QCOMPARE(done.exitCode, 8);
+    QVERIFY2(done.err.contains("dialogs.ndjson:16: there is no object aboutDialog"), qPrintable(done.err));
+    const QImage open(at("open.png"));
+    const QImage left(at("left.png"));
+    QCOMPARE(open.size(), left.size());
+    QVERIFY(open.copy(open.width() / 2 - 100, open.height() / 2 - 100, 200, 200) !=
+            left.copy(left.width() / 2 - 100, left.height() / 2 - 100, 200, 200));
+}
+
+void WindowProgramTest::anActionThatWaitsForAnAnswerFails()
+{
+    const Run done = run({"--script", write("asks.ndjson", R"({"do":"action","name":"actOpen"}
+)")});
+
+    QCOMPARE(done.exitCode, 8);
+    QVERIFY2(done.err.contains("asks.ndjson:1: actOpen waits for an answer in \"Open a recording\""),
+             qPrintable(done.err));
+}
+
+void WindowProgramTest::theWindowIsAsLargeAsItsPicture()
+{
+    const QString script = write("size.ndjson", R"({"do":"screenshot","file":")" + at("large.png").toUtf8() +
+                                                    R"(","size":"1500x1000","window":true}
+{"do":"expect","object":"mainWindow","property":"width","equals":1440}
+{"do":"screenshot","file":")" + at("small.png").toUtf8() +
+                                                    R"(","size":"400x300","window":true}
+)");
+
+    const Run done = run({"--script", script});
+
+    QCOMPARE(QImage(at("large.png")).size(), QSize(1500, 1000));
+    QCOMPARE(done.exitCode, 8);
+    QVERIFY2(done.err.contains("size.ndjson:3: the window cannot be 400x300"), qPrintable(done.err));
+    QVERIFY(!QFile::exists(at("small.png")));
+}
+
+void WindowProgramTest::stepsOfAScriptAreStepsOfTheScan_data()
+{
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<QString>("said");
+    const auto row = [](const char* line, const char* said) { QTest::newRow(line) << QByteArray(line) << said; };
+    row(R"({"do":"goto","step":9})", "");
+    row(R"({"do":"goto","step":10})", "there is no step 10; the scan has steps 0 to 9");
+    row(R"({"do":"goto","step":-5})", "there is no step -5");
+    row(R"({"do":"goto","step":6.5})", "goto needs a whole number");
+    row(R"({"do":"goto","step":1e12})", "goto needs a whole number");
+    row(R"({"do":"select","plane":0.5})", "there is no plane 0.5");
+}
+
+void WindowProgramTest::stepsOfAScriptAreStepsOfTheScan()
+{
+    QFETCH(QByteArray, line);
+    QFETCH(QString, said);
+    const QString file = PLANEWRIGHT_SOURCE_DIR "/tests/core/formats/malformed/fine-equal-times-and-gap.csv";
+
+    const Run done = run({"--script", write("steps.ndjson", R"({"do":"open","file":")" + file.toUtf8() + R"("}
+{"do":"wait","state":"review"}
+)" + line + "\n")});
+
+    QCOMPARE(done.exitCode, said.isEmpty() ? 0 : 8);
+    QVERIFY2(said.isEmpty() || done.err.contains("steps.ndjson:3: " + said), qPrintable(done.err));
 }
 
 }  // namespace planewright

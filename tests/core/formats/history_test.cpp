@@ -51,7 +51,12 @@ void HistoryTest::aLineHasCountsAndDecisions()
                          {SegmentId{6, 2}, PlaneRef{3}},
                          {{"plane_distance", 0.012, Comparison::Less, 0.05}, {"angle", 0.2, Comparison::Less, 0.1}},
                          {PlaneRef{3}}},
-                        {Phase::Fit, DecisionKind::NoFit, {ClusterRef{4}}, {}, {}}};
+                        {Phase::Fit, DecisionKind::NoFit, {ClusterRef{4}}, {}, {}},
+                        {Phase::Extract,
+                         DecisionKind::Reject,
+                         {PieceRef{6, 47, 51}},
+                         {{"points", 5.0, Comparison::GreaterEqual, 7.0}},
+                         {}}};
     std::ostringstream out;
 
     QVERIFY(writeHistoryLine(out, report, false).has_value());
@@ -63,7 +68,8 @@ void HistoryTest::aLineHasCountsAndDecisions()
                     R"("kind":"assign","operands":["6.2","P3"],"tests":[{"name":"plane_distance","value":0.012,)"
                     R"("op":"<","limit":0.05,"pass":true},{"name":"angle","value":0.2,"op":"<","limit":0.1,)"
                     R"("pass":false}],"result":["P3"]},{"phase":"fit","kind":"no_fit","operands":["C4"],)"
-                    R"("tests":[],"result":[]}]})"
+                    R"("tests":[],"result":[]},{"phase":"extract","kind":"reject","operands":["6:47-51"],)"
+                    R"("tests":[{"name":"points","value":5,"op":">=","limit":7,"pass":false}],"result":[]}]})"
                     "\n"));
 }
 

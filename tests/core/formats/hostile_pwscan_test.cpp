@@ -183,6 +183,7 @@ void HostilePwscanTest::aBadRowIsNamedAndLeftOut()
     QVERIFY2(read, read ? "" : read.error().message.c_str());
     QVERIFY(read->read.damaged);
     QCOMPARE(read->read.recording.slices.size(), std::size_t(11));
+    QCOMPARE(read->read.slicesLeftOut, 1);
     QCOMPARE(QString::fromStdString(read->read.warnings.at(0)), QString::fromStdString(path) + ": " + message);
     QVERIFY(found.damaged);
     QVERIFY(found.problems.empty());

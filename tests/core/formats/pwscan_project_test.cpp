@@ -35,6 +35,7 @@ private slots:
     void aNewerVersionIsReadOnly();
     void aFileThatIsHeldIsReadOnlyOrAClearError();
     void parametersOfAnotherExtractionAreStored();
+    void eventsAreThoseOfTheScan();
     void editsAreTakenWhileTheScanRuns();
 
 private:
@@ -105,6 +106,7 @@ void PwscanProjectTest::editsAreThereWhenTheFileIsOpenedAgain()
         auto project = PwscanProject::open(path_);
         QVERIFY2(project, messageOf(project).c_str());
         QCOMPARE(project->readOnlyBecause(), std::string());
+        QVERIFY(project->readOnlyCause() == ReadOnlyCause::None);
         QCOMPARE(*project->append(1, {Edit::Kind::Rename, {3}, "north wall", true}), 1);
         QCOMPARE(*project->append(1, {Edit::Kind::Hide, {3, 4}, {}, false}), 2);
     }
@@ -190,6 +192,7 @@ void PwscanProjectTest::aFileThatCannotBeWrittenIsReadOnly()
 
     QVERIFY2(project, messageOf(project).c_str());
     QVERIFY(!project->readOnlyBecause().empty());
+    QVERIFY(project->readOnlyCause() == ReadOnlyCause::NotWritable);
     QCOMPARE(project->edits(1)->size(), std::size_t(1));
     QVERIFY(project->append(1, {Edit::Kind::Delete, {4}, {}, true}).error().code == ErrorCode::NotWritten);
     QVERIFY(project->setUndone(1, true).error().code == ErrorCode::NotWritten);
@@ -242,6 +245,7 @@ void PwscanProjectTest::aNewerVersionIsReadOnly()
     QVERIFY2(project, messageOf(project).c_str());
     QCOMPARE(project->readOnlyBecause(),
              std::string("the recording is of a newer version; change it with a newer version of the program"));
+    QVERIFY(project->readOnlyCause() == ReadOnlyCause::NewerVersion);
     QVERIFY(!project->append(1, {Edit::Kind::Delete, {4}, {}, true}));
     QCOMPARE(project->scans()->size(), std::size_t(1));
     QVERIFY(readRecordingPwscan(path_));
@@ -260,6 +264,7 @@ void PwscanProjectTest::aFileThatIsHeldIsReadOnlyOrAClearError()
 
     QVERIFY2(whileWriting, messageOf(whileWriting).c_str());
     QVERIFY(whileWriting->readOnlyBecause().starts_with("another program is writing to it"));
+    QVERIFY(whileWriting->readOnlyCause() == ReadOnlyCause::HeldElsewhere);
     QVERIFY(!whileHeld);
     QVERIFY2(messageOf(whileHeld).ends_with("another program holds the file; close it there, or try again"),
              messageOf(whileHeld).c_str());
@@ -279,6 +284,27 @@ void PwscanProjectTest::parametersOfAnotherExtractionAreStored()
     QCOMPARE(stored->size(), std::size_t(1));
     QCOMPARE(stored->front().step, 0);
     QCOMPARE(stored->front().parameters.planes.minSlices, 9);
+}
+
+void PwscanProjectTest::eventsAreThoseOfTheScan()
+{
+    auto writer = PwscanWriter::append(path_, sampleScanRecord(4));
+    QVERIFY(writer->write(ScanEvent{ScanEvent::Kind::Fault, 1, {}, "The scanner is silent."}));
+    QVERIFY(writer->write(ScanEvent{ScanEvent::Kind::Recovered, 1, {}, {}}));
+    QVERIFY(writer->close(ScanState::Complete));
+    // Somebody else's: of a kind that nobody knows, and at a step that there cannot be.
+    runSql(path_, "INSERT INTO event(scan_id, step, kind, payload) VALUES(2, 1, 'eclipse', ''), (2, -4, 'fault', '')");
+    const auto project = PwscanProject::open(path_);
+
+    const auto events = project->events(2);
+
+    QVERIFY(events);
+    QCOMPARE(events->size(), std::size_t(2));
+    QCOMPARE(events->front().kind, ScanEvent::Kind::Fault);
+    QCOMPARE(events->front().step, std::optional{1});
+    QCOMPARE(events->front().payload, std::string("The scanner is silent."));
+    QCOMPARE(events->back().kind, ScanEvent::Kind::Recovered);
+    QCOMPARE(project->events(1)->size(), std::size_t(0));
 }
 
 void PwscanProjectTest::editsAreTakenWhileTheScanRuns()

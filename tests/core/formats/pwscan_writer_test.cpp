@@ -27,6 +27,10 @@ private slots:
     void withoutCloseTheScanIsRunningAndWhole();
     void anExistingFileIsNotReplaced();
     void appendAddsAScanAndKeepsTheOthers();
+    void aScanWithoutSlicesLeavesNoFile();
+    void aScanWithoutSlicesLeavesTheOthersAsTheyWere();
+    void aFileThatGotAnotherScanMeanwhileStays();
+    void aScanWithSlicesIsNotDiscarded();
     void appendToWhatIsNoRecordingIsAnError();
     void appendToANewerVersionIsAnError();
     void parametersAndEventsAreKept();
@@ -137,6 +141,69 @@ void PwscanWriterTest::appendAddsAScanAndKeepsTheOthers()
     QVERIFY(readRecordingPwscan(path, 1)->notes.scan.state == ScanState::Partial);
     QCOMPARE(readRecordingPwscan(path)->read.recording.slices.size(), std::size_t(3));
     QCOMPARE(readRecordingPwscan(path)->notes.scan.name, std::string("second"));
+}
+
+void PwscanWriterTest::aScanWithoutSlicesLeavesNoFile()
+{
+    const QTemporaryDir folder;
+    PwscanWriter writer = created(folder.filePath("a.pwscan").toStdString());
+    QVERIFY(writer.write(ScanEvent{ScanEvent::Kind::Fault, {}, {}, "the cable is pulled out"}));
+
+    QVERIFY(writer.discard());
+
+    QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));
+}
+
+void PwscanWriterTest::aScanWithoutSlicesLeavesTheOthersAsTheyWere()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.pwscan").toStdString();
+    PwscanWriter first = created(path);
+    QVERIFY(first.write(sampleRecording(1, 4).slices[0]));
+    QVERIFY(first.write(ScanEvent{ScanEvent::Kind::Note, {}, {}, "mine"}));
+    QVERIFY(first.close(ScanState::Complete));
+    auto second = PwscanWriter::append(path, sampleScanRecord(2, "second"));
+    QVERIFY(second);
+    QVERIFY(second->write(ScanEvent{ScanEvent::Kind::Fault, {}, {}, "the cable is pulled out"}));
+
+    QVERIFY(second->discard());
+
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"a.pwscan"});
+    QCOMPARE(scansOfPwscan(path)->size(), std::size_t(1));
+    const auto read = readRecordingPwscan(path);
+    QCOMPARE(read->notes.scan.name, std::string("first"));
+    QCOMPARE(read->notes.events.size(), std::size_t(1));
+    QVERIFY(pwscanProblems(path).problems.empty());
+}
+
+void PwscanWriterTest::aFileThatGotAnotherScanMeanwhileStays()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.pwscan").toStdString();
+    PwscanWriter first = created(path);
+    auto second = PwscanWriter::append(path, sampleScanRecord(4, "second"));
+    QVERIFY(second);
+    QVERIFY(second->write(sampleRecording(1, 4).slices[0]));
+
+    QVERIFY(first.discard());
+
+    QVERIFY(second->close(ScanState::Complete));
+    QCOMPARE(scansOfPwscan(path)->size(), std::size_t(1));
+    QCOMPARE(readRecordingPwscan(path)->notes.scan.name, std::string("second"));
+}
+
+void PwscanWriterTest::aScanWithSlicesIsNotDiscarded()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.pwscan").toStdString();
+    PwscanWriter writer = created(path);
+    QVERIFY(writer.write(sampleRecording(1, 4).slices[0]));
+
+    QVERIFY(writer.discard());
+
+    const auto read = readRecordingPwscan(path);
+    QCOMPARE(read->read.recording.slices.size(), std::size_t(1));
+    QVERIFY(read->notes.scan.state == ScanState::Partial);
 }
 
 void PwscanWriterTest::appendToWhatIsNoRecordingIsAnError()

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "core/formats/parameter_events.h"
+#include "core/formats/pwscan_writer.h"
 #include "pwscan_sample.h"
 #include "tests/test_program.h"
 
@@ -25,6 +26,7 @@ private slots:
     void unknownKeysKeepTheirOrder();
     void eventsAndEditsComeWithTheScan();
     void lastScanIsReadUnlessOneIsChosen();
+    void aLastScanWithoutSlicesHidesNoOther();
     void aScanThatIsNotThereIsWrongUsage();
     void aRangeBeyondTheFormatIsNotWritten();
     void anotherNumberOfBeamsIsOurOwnFault();
@@ -190,6 +192,25 @@ void RecordingPwscanTest::lastScanIsReadUnlessOneIsChosen()
     QCOMPARE(first->read.recording.slices.size(), std::size_t(2));
     QCOMPARE(scans->size(), std::size_t(2));
     QCOMPARE(scans->back().id, 5);
+}
+
+/// Programs that were killed before their first slice.
+void RecordingPwscanTest::aLastScanWithoutSlicesHidesNoOther()
+{
+    const QTemporaryDir folder;
+    const std::string path = write(folder, sampleRecording(3, 4));
+    for (int i = 0; i < 2; ++i)
+        QVERIFY(PwscanWriter::append(path, sampleScanRecord(4, "killed")));
+
+    const auto last = readRecordingPwscan(path);
+    const auto chosen = readRecordingPwscan(path, 3);
+
+    QVERIFY2(last, last ? "" : last.error().message.c_str());
+    QCOMPARE(last->notes.scan.id, 1);
+    QCOMPARE(last->read.recording.slices.size(), std::size_t(3));
+    QVERIFY(!chosen);
+    QCOMPARE(chosen.error().code, ErrorCode::Unreadable);
+    QVERIFY(chosen.error().message.find("scan 3 has no slice") != std::string::npos);
 }
 
 void RecordingPwscanTest::aScanThatIsNotThereIsWrongUsage()

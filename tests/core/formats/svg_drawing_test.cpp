@@ -17,7 +17,11 @@ private slots:
     void metresBecomePixelsWithYUp();
     void hostileTextIsOnlyText();
     void labelsDoNotCoverEachOther();
+    void labelsStayInThePicture_data();
+    void labelsStayInThePicture();
+    void longLabelsAreCutShort();
     void gridLinesKeepTheirDistance();
+    void aNarrowPictureHoldsItsBar();
 };
 
 namespace {
@@ -76,6 +80,51 @@ void SvgDrawingTest::labelsDoNotCoverEachOther()
     QVERIFY(svg.find("P02") == std::string::npos);
 }
 
+void SvgDrawingTest::labelsStayInThePicture_data()
+{
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("y");
+    QTest::addColumn<double>("textX");
+    QTest::addColumn<double>("textY");
+    // 100 pixels a metre in 424 × 450; ten letters of 7.5 are 75 wide, and a text is 14 high: its base line is 4.2
+    // below its middle.
+    QTest::newRow("in the middle") << 2.0 << 2.0 << 212.0 << 216.2;
+    QTest::newRow("at the left") << 0.0 << 2.0 << 39.5 << 216.2;
+    QTest::newRow("at the right") << 4.0 << 2.0 << 384.5 << 216.2;
+    QTest::newRow("at the top") << 2.0 << 4.0 << 212.0 << 16.2;
+    QTest::newRow("above the top") << 2.0 << 4.2 << 212.0 << 13.2;
+    QTest::newRow("at the bottom") << 2.0 << 0.0 << 212.0 << 416.2;
+}
+
+void SvgDrawingTest::labelsStayInThePicture()
+{
+    QFETCH(double, x);
+    QFETCH(double, y);
+    QFETCH(double, textX);
+    QFETCH(double, textY);
+    SvgDrawing drawing{{0, 0}, {4, 4}, 424, 450};
+
+    QVERIFY(drawing.label("label", {x, y}, "West wäll!"));
+
+    QXmlStreamReader reader(QByteArray::fromStdString(std::move(drawing).take("")));
+    while (!reader.atEnd() && reader.name() != QStringLiteral("text"))
+        reader.readNext();
+    QCOMPARE(reader.attributes().value(QStringLiteral("x")).toDouble(), textX);
+    QCOMPARE(reader.attributes().value(QStringLiteral("y")).toDouble(), textY);
+}
+
+/// A picture of 1 m × 1 m and 62 pixels holds (62 − 4) / 7.5 letters: seven, the last of them the ellipsis.
+void SvgDrawingTest::longLabelsAreCutShort()
+{
+    SvgDrawing drawing{{0, 0}, {1, 1}, 62, 400};
+
+    QVERIFY(drawing.label("label", {0.5, 0.5}, "Wänd im Süden"));
+
+    const std::string svg = std::move(drawing).take("");
+    QVERIFY(svg.find(">Wänd i…</text>") != std::string::npos);
+    QVERIFY(svg.find("x=\"31.00\"") != std::string::npos);
+}
+
 void SvgDrawingTest::gridLinesKeepTheirDistance()
 {
     const auto barOf = [](double size) {
@@ -89,6 +138,18 @@ void SvgDrawingTest::gridLinesKeepTheirDistance()
     QCOMPARE(barOf(25.0), std::string("2"));    // 16
     QCOMPARE(barOf(80.0), std::string("5"));    // 5
     QCOMPARE(barOf(300.0), std::string("20"));  // 1.33
+}
+
+/// 0.2 m × 20 m into 640 pixels: 590 are for 20 m, so that the bar of a metre is 29.5 long, where 0.2 m are 5.9.
+void SvgDrawingTest::aNarrowPictureHoldsItsBar()
+{
+    SvgDrawing drawing{{0, 0}, {0.2, 20.0}, 400, 640};
+    drawing.grid();
+
+    const std::string svg = std::move(drawing).take("");
+
+    // The text of three letters begins 6 behind the bar and ends 2 before the edge.
+    QVERIFY2(svg.find("viewBox=\"0 0 72.00 640.00\"") != std::string::npos, svg.c_str());
 }
 
 }  // namespace planewright

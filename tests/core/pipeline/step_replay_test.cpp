@@ -77,7 +77,10 @@ std::vector<Phase> phasesOf(const PhasedStep& step)
 
 bool sameOperand(const Operand& a, const Operand& b)
 {
-    return segmentOf(a) == segmentOf(b) && planeOf(a) == planeOf(b) && clusterOf(a) == clusterOf(b);
+    const PieceRef p = pieceOf(a);
+    const PieceRef q = pieceOf(b);
+    return segmentOf(a) == segmentOf(b) && planeOf(a) == planeOf(b) && clusterOf(a) == clusterOf(b) &&
+           p.step == q.step && p.firstBeam == q.firstBeam && p.lastBeam == q.lastBeam;
 }
 
 bool sameDecision(const Decision& a, const Decision& b)

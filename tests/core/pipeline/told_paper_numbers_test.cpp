@@ -334,6 +334,20 @@ void ToldPaperNumbersTest::splitsAndMergesAreComparedByEq21And22()
                 const auto [distance, limit] = pairDistance(a, b, *phase.before, scan.parameters);
                 QVERIFY(recomputed.agree(phase, testOf(decision.tests, "plane_distance"), distance, limit, 1e-6));
             }
+            const bool isTakenIn = decision.kind == DecisionKind::Merge && !isPair;
+            if (isTakenIn && asBefore(decision.operands[0]) != nullptr && asBefore(decision.operands[1]) != nullptr) {
+                // The share of the smaller plane's segments that match the larger one.
+                const Plane& larger = *asBefore(decision.operands[0]);
+                const Plane& smaller = *asBefore(decision.operands[1]);
+                const auto fitting =
+                    std::count_if(smaller.segments.begin(), smaller.segments.end(), [&](const SegmentId& id) {
+                        const Match match(phase.before->segments[id], larger, scan.parameters.assignment);
+                        return match.distance < match.distanceLimit && match.orthogonality < match.orthogonalityLimit;
+                    });
+                QVERIFY(recomputed.agree(phase, testOf(decision.tests, "shared_segments"),
+                                         static_cast<double>(fitting) / static_cast<double>(smaller.segments.size()),
+                                         p.mergeShare));
+            }
             if (decision.kind == DecisionKind::Merge || decision.kind == DecisionKind::Split) {
                 for (const Operand& operand : decision.operands)
                     changed.insert(planeOf(operand));
@@ -344,7 +358,8 @@ void ToldPaperNumbersTest::splitsAndMergesAreComparedByEq21And22()
     }
     // Nothing comes near another in a corridor and on stairs; a curved wall is many planes that nearly are one.
     if (scene == "curved")
-        QVERIFY(recomputed.counts["normal_alignment"] > 40 && recomputed.counts["fitting_error"] > 0);
+        QVERIFY(recomputed.counts["normal_alignment"] > 40 && recomputed.counts["fitting_error"] > 0 &&
+                recomputed.counts["shared_segments"] > 0);
 }
 
 }  // namespace planewright

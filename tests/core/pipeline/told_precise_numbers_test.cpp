@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "tests/core/pipeline/likelihood_twin.h"
 #include "tests/core/pipeline/told_step.h"
 #include "tests/test_program.h"
 
@@ -20,29 +21,20 @@ Eigen::Matrix3d ownCovariance(const Plane& plane)
     return plane.covariance / std::max(1.0, plane.fittingError);
 }
 
-/// By how much a point moves for a turn of the head about x.
-Eigen::Vector3d turned(const Eigen::Vector3d& v)
-{
-    return {0.0, -v.z(), v.y()};
-}
-
 /// A segment against a plane, from what snapshots show: χ² of its distance and its slope with the covariance of both,
 /// by the noise of its points, the slice's pitch, the plane, and a floor of what ranges may be off together.
 struct JoinTwin {
     double chi = 0.0;
-    bool isDirected = true;  ///< noise does not direct the line
-    double ofPlane = 0.0;    ///< share of the distance's variance that is the plane's
+    bool directed = true;  ///< noise does not direct the line
+    double ofPlane = 0.0;  ///< share of the distance's variance that is the plane's
 
     JoinTwin(const LineSegment& s, const Plane& plane, const SensorNoise& noise, double floor)
     {
         const Eigen::Vector3d& n = plane.normal;
         const Eigen::Vector3d p = s.moments.mean;
         const Eigen::Vector3d along = -s.direction;
-        const Eigen::Vector3d ray = p - s.viewpoint;
         const double length = s.length();
-        // The gradient of the distance in the slice, whose plane holds ray and line.
-        const Eigen::Vector3d ofSlice = ray.cross(along).normalized();
-        const double steepness = 1.0 - std::pow(n.dot(ofSlice), 2);
+        const double steepness = steepnessOf(s, n);
 
         Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
         covariance(0, 0) = steepness * (s.placeSigma * s.placeSigma + floor * floor);
@@ -58,33 +50,9 @@ struct JoinTwin {
         const Eigen::Vector2d residual{n.dot(p) - plane.distance, n.dot(along)};
         chi = residual.dot(covariance.inverse() * residual);
 
-        const double across = length * ray.cross(along).norm();
-        const double variance =
-            std::pow(noise.rangeConstant, 2) + ray.squaredNorm() * std::pow(noise.rangeProportional, 2);
-        isDirected = across * across >= 4.0 * variance * ray.squaredNorm();
+        directed = isDirected(s, noise);
     }
 };
-
-/// χ² of two planes being one, with a floor over an extent of a metre; covariances grow by factors.
-double mergeChi(const Plane& a, const Plane& b, double floor)
-{
-    const double side = a.normal.dot(b.normal) < 0.0 ? -1.0 : 1.0;
-    // In a frame of this test's own, to which both covariances are turned.
-    const Eigen::Vector3d first = a.normal.unitOrthogonal();
-    Eigen::Matrix<double, 3, 2> frame;
-    frame << first, a.normal.cross(first);
-    const auto inFrame = [&](const Plane& plane) {
-        Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-        turn.topLeftCorner<2, 2>() = frame.transpose() * plane.tangents;
-        return Eigen::Matrix3d{turn * ownCovariance(plane) * turn.transpose()};
-    };
-    const Eigen::Vector3d floors{floor * floor, floor * floor, floor * floor};
-    Eigen::Matrix3d covariance = inFrame(a) + inFrame(b);
-    covariance += floors.asDiagonal();
-    Eigen::Vector3d apart;
-    apart << frame.transpose() * (side * b.normal - a.normal), side * b.distance - a.distance;
-    return apart.dot(covariance.inverse() * apart);
-}
 
 double meanIncidence(const Plane& plane, const Snapshot& snapshot)
 {
@@ -144,7 +112,7 @@ void ToldPreciseNumbersTest::segmentsJoinByTheirChiSquare()
             QVERIFY(isFacing || told.limit == p.apartGate);
             const double floor = scan.parameters.flatnessFloor() * (isFacing ? 1.0 : 0.5);
             const JoinTwin twin(segment, plane, phase.before->noise, floor);
-            if (!twin.isDirected) {
+            if (!twin.directed) {
                 ++undirected;
                 continue;
             }
@@ -187,8 +155,8 @@ void ToldPreciseNumbersTest::pairsNearlyMergeByTheirChiSquare()
                                          std::abs(a.normal.dot(b.normal))));
                 const Test& last = decision.tests.back();
                 if (last.name == "merge_chi2")
-                    QVERIFY(recomputed.agree(phase, last, mergeChi(a, b, floor), scan.parameters.likelihood.mergeGate,
-                                             0.02));
+                    QVERIFY(recomputed.agree(phase, last, mergeChi(a, ownCovariance(a), b, ownCovariance(b), floor),
+                                             scan.parameters.likelihood.mergeGate, 0.02));
             }
         }
     }

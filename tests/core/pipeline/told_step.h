@@ -60,6 +60,12 @@ struct ToldScan {
     Parameters parameters;
     std::vector<ToldPhase> phases;
 
+    const ScanSlice& sliceOf(int step) const
+    {
+        return *std::find_if(recording.slices.begin(), recording.slices.end(),
+                             [step](const ScanSlice& slice) { return slice.step == step; });
+    }
+
     ToldScan(std::string_view preset, std::string_view scene, std::uint64_t seed)
         : recording(scanOf(scene, "default", seed, "table10-2").scan.recording)
     {
@@ -78,6 +84,15 @@ struct ToldScan {
         }
     }
 };
+
+/// Echoes of a slice from one beam to another.
+inline int echoesIn(const ScanSlice& slice, const SensorModel& sensor, int firstBeam, int lastBeam)
+{
+    int echoes = 0;
+    for (int beam = firstBeam; beam <= lastBeam; ++beam)
+        echoes += sensor.hasEcho(slice.ranges[static_cast<std::size_t>(beam)]) ? 1 : 0;
+    return echoes;
+}
 
 /// How many numbers of each name were worked out anew.
 struct Recomputed {

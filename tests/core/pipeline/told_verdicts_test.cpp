@@ -60,6 +60,8 @@ private slots:
     void segmentsAreWhereTheirLastDecisionPutThem();
     void planesAreThereOrGoneAsDecided_data() { scans(); }
     void planesAreThereOrGoneAsDecided();
+    void everyEchoIsInASegmentOrDiscarded_data() { scans(); }
+    void everyEchoIsInASegmentOrDiscarded();
     void nothingHappensToPlanesUntold_data() { scans(); }
     void nothingHappensToPlanesUntold();
 
@@ -87,8 +89,9 @@ void ToldVerdictsTest::segmentsAreWhereTheirLastDecisionPutThem()
         const Fates fates(phase.decisions());
         std::map<SegmentId, const Decision*> last;
         for (const Decision& decision : phase.decisions()) {
-            const bool isOfSegment = decision.kind == DecisionKind::Assign || decision.kind == DecisionKind::Reject ||
-                                     decision.kind == DecisionKind::Cluster;
+            const bool isOfSegment = decision.phase != Phase::Extract &&
+                                     (decision.kind == DecisionKind::Assign || decision.kind == DecisionKind::Reject ||
+                                      decision.kind == DecisionKind::Cluster);
             if (isOfSegment)
                 last[segmentOf(decision.operands.front())] = &decision;
         }
@@ -167,6 +170,44 @@ void ToldVerdictsTest::planesAreThereOrGoneAsDecided()
         QVERIFY(seen[DecisionKind::Merge] > 3 && seen[DecisionKind::Near] > 3 && seen[DecisionKind::Split] > 1);
     if (scene == "clutter")
         QVERIFY(seen[DecisionKind::NoFit] > 3);
+}
+
+void ToldVerdictsTest::everyEchoIsInASegmentOrDiscarded()
+{
+    QFETCH(QString, preset);
+    QFETCH(QString, scene);
+    const ToldScan scan(preset.toStdString(), scene.toStdString(), 3);
+    const SensorModel sensor = sensorOf(scan.recording.description);
+    int discarded = 0;
+    for (const ToldPhase& phase : scan.phases) {
+        if (phase.phase != Phase::Extract)
+            continue;
+        const ScanSlice& slice = scan.sliceOf(phase.step);
+        std::vector<std::pair<int, int>> parts;
+        const std::size_t place = phase.after->segments.find(phase.step);
+        for (const LineSegment& segment : phase.after->segments.slice(place))
+            parts.emplace_back(segment.firstBeam, segment.lastBeam);
+        QCOMPARE(static_cast<int>(parts.size()), phase.after->report.counts.segments);
+        for (const Decision& decision : phase.decisions()) {
+            QCOMPARE(decision.kind, DecisionKind::Reject);
+            QVERIFY(decision.result.empty());
+            QVERIFY2(std::any_of(decision.tests.begin(), decision.tests.end(),
+                                 [](const Test& test) { return !test.pass(); }),
+                     phase.text().c_str());
+            const PieceRef piece = pieceOf(decision.operands.at(0));
+            QCOMPARE(piece.step, phase.step);
+            parts.emplace_back(piece.firstBeam, piece.lastBeam);
+            ++discarded;
+        }
+        std::sort(parts.begin(), parts.end());
+        int echoes = 0;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            QVERIFY2(i == 0 || parts[i].first > parts[i - 1].second, phase.text().c_str());
+            echoes += echoesIn(slice, sensor, parts[i].first, parts[i].second);
+        }
+        QCOMPARE(echoes, phase.after->report.counts.returns);
+    }
+    QVERIFY(discarded > 10);
 }
 
 void ToldVerdictsTest::nothingHappensToPlanesUntold()

@@ -76,5 +76,10 @@ inline ClusterId clusterOf(const Operand& operand)
     const auto* ref = std::get_if<ClusterRef>(&operand);
     return ref == nullptr ? kNoCluster : ref->id;
 }
+inline PieceRef pieceOf(const Operand& operand)
+{
+    const auto* piece = std::get_if<PieceRef>(&operand);
+    return piece == nullptr ? PieceRef{-1, -1, -1} : *piece;
+}
 
 }  // namespace planewright

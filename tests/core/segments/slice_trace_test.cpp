@@ -109,6 +109,11 @@ private slots:
     void whatIsTracedIsWhatIsExtracted();
     void everyEchoHasOnePlace_data() { bothMethods(); }
     void everyEchoHasOnePlace();
+    void aPointThatNoLineTakesIsToldItsDistance();
+    void aPointThatTurnsItsLineIsToldItsVariances();
+    void discardedPiecesAreRejected_data() { bothMethods(); }
+    void discardedPiecesAreRejected();
+    void aTraceIsEmptiedForAnotherSlice();
     void noiseOfASnapshotTakesTheParametersPlace();
 };
 
@@ -277,7 +282,7 @@ void SliceTraceTest::whatIsTracedIsWhatIsExtracted()
             const bool allPass =
                 std::all_of(piece.tests.begin(), piece.tests.end(), [](const Test& test) { return test.pass(); });
             QCOMPARE(piece.segment >= 0, piece.fate == PieceFate::Segment);
-            QCOMPARE(allPass, piece.fate == PieceFate::Segment || piece.fate == PieceFate::OffTheLines);
+            QCOMPARE(allPass, piece.fate == PieceFate::Segment);
             if (piece.segment >= 0)
                 QCOMPARE(piece.segment, static_cast<int>(next++));
         }
@@ -309,6 +314,106 @@ void SliceTraceTest::everyEchoHasOnePlace()
                      qPrintable(QString("beam %1: %2 runs, %3 pieces").arg(beam).arg(runs).arg(pieces)));
         }
     }
+}
+
+/// Two walls that meet ahead at (0, 2), both 45° to the ray, and between them a point that is as far from either.
+void SliceTraceTest::aPointThatNoLineTakesIsToldItsDistance()
+{
+    ScanSlice slice =
+        drawn(emptySlice(degrees(45.0), degrees(0.5), 181), {{{4.0, 6.0}, {0.0, 2.0}}, {{0.0, 2.0}, {-4.0, 6.0}}});
+    slice.ranges[90] -= 0.0302 * std::sqrt(2.0);
+
+    const SliceTrace trace = traced(slice);
+
+    // Their far ends are met at 56.3° and 123.7°.
+    QCOMPARE(keptBeams(trace), (std::vector<std::pair<int, int>>{{23, 89}, {91, 157}}));
+    QCOMPARE(trace.pieces.size(), std::size_t(3));
+    const TracedPiece& stranger = trace.pieces[1];
+    QCOMPARE(stranger.firstBeam, 90);
+    QCOMPARE(stranger.fate, PieceFate::OffTheLines);
+    QCOMPARE(stranger.tests.size(), std::size_t(1));
+    QCOMPARE(stranger.tests[0].name, std::string_view("line_distance"));
+    QVERIFY(std::abs(stranger.tests[0].value - 0.0302) < 1e-6);
+    QCOMPARE(stranger.tests[0].limit, 0.03);
+    QVERIFY(!stranger.tests[0].pass());
+}
+
+/// A wall 2 m ahead whose last point stands out by 4 mm, with noise of 1 mm.
+void SliceTraceTest::aPointThatTurnsItsLineIsToldItsVariances()
+{
+    ScanSlice slice = drawn(emptySlice(degrees(70.0), degrees(0.25), 161), {{{2.0, 2.0}, {-2.0, 2.0}}});
+    // At 110° the wall is 2 m / sin 110° away.
+    slice.ranges[160] -= 0.004 / std::sin(degrees(110.0));
+
+    const SliceTrace trace = traced(slice, true);
+
+    QCOMPARE(keptBeams(trace), (std::vector<std::pair<int, int>>{{0, 159}}));
+    QCOMPARE(trace.pieces.size(), std::size_t(2));
+    const Test& told = trace.pieces[1].tests.at(0);
+    QCOMPARE(told.name, std::string_view("line_chi2"));
+    QVERIFY(!told.pass());
+    // The variance of what a line through the other 160 points foretells, from x = 2 / tan: as the line is met at
+    // right angles in its middle, it is σ² (1 + 1/n + (x − x̄)²/Σ(x − x̄)²).
+    double mean = 0.0;
+    for (int i = 0; i < 160; ++i)
+        mean += 2.0 / std::tan(degrees(70.0 + 0.25 * i)) / 160.0;
+    double spread = 0.0;
+    for (int i = 0; i < 160; ++i)
+        spread += std::pow(2.0 / std::tan(degrees(70.0 + 0.25 * i)) - mean, 2);
+    const double along = 1.996 / std::tan(degrees(110.0)) - mean;
+    const double leverage = 1.0 + 1.0 / 160.0 + along * along / spread;
+    const double expected = 16.0 / leverage;
+    QVERIFY2(std::abs(told.value - expected) < 1e-3 * expected,
+             qPrintable(QString("%1 against %2").arg(told.value).arg(expected)));
+    QCOMPARE(told.limit, 6.25);
+}
+
+void SliceTraceTest::discardedPiecesAreRejected()
+{
+    QFETCH(bool, precise);
+    std::mt19937_64 random(13);
+    ScanSlice slice = noisy(drawn(emptySlice(0.0, degrees(0.25), 721), randomWalls(9, random)), 0.01, 33);
+    for (double& range : slice.ranges)
+        range = uniform(random) < 0.03 ? range + 0.5 : range;
+    const SliceTrace trace = traced(slice, precise);
+    std::vector<const TracedPiece*> discarded;
+    for (const TracedPiece& piece : trace.pieces) {
+        if (piece.segment < 0)
+            discarded.push_back(&piece);
+    }
+    QVERIFY(discarded.size() > 3);
+    StepReport report;
+    const StepClock none;
+    StepRecorder recorder(report, none, true);
+    recorder.begin(Phase::Extract);
+
+    tellDiscarded(trace, 17, recorder);
+
+    QCOMPARE(report.decisions.size(), discarded.size());
+    for (std::size_t i = 0; i < discarded.size(); ++i) {
+        const Decision& told = report.decisions[i];
+        QCOMPARE(told.phase, Phase::Extract);
+        QCOMPARE(told.kind, DecisionKind::Reject);
+        QVERIFY(told.result.empty());
+        QCOMPARE(told.operands.size(), std::size_t(1));
+        const auto& piece = std::get<PieceRef>(told.operands[0]);
+        QCOMPARE(piece.step, 17);
+        QCOMPARE(piece.firstBeam, discarded[i]->firstBeam);
+        QCOMPARE(piece.lastBeam, discarded[i]->lastBeam);
+        QCOMPARE(told.tests.size(), discarded[i]->tests.size());
+        QVERIFY(std::any_of(told.tests.begin(), told.tests.end(), [](const Test& test) { return !test.pass(); }));
+    }
+}
+
+void SliceTraceTest::aTraceIsEmptiedForAnotherSlice()
+{
+    SliceTrace trace = traced(cornerSlice());
+    QVERIFY(!trace.splits.empty() && !trace.pieces.empty());
+
+    trace.clear();
+
+    QVERIFY(trace.runs.empty() && trace.breaks.empty() && trace.splits.empty() && trace.joins.empty() &&
+            trace.pieces.empty());
 }
 
 void SliceTraceTest::noiseOfASnapshotTakesTheParametersPlace()

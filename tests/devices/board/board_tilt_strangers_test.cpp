@@ -26,6 +26,7 @@ private slots:
     void eventsOfTheWrongLengthAreCorrupt();
     void anglesWithoutAPossibleTimeAreNone();
     void anglesThatComeOutOfOrderAreDropped();
+    void heartbeatsThatReachTheBoardTogetherAreNoNewStart();
     void randomMessagesDoNoHarm();
 };
 
@@ -284,6 +285,46 @@ void BoardTiltStrangersTest::anglesThatComeOutOfOrderAreDropped()
 
     QCOMPARE(samples, 2);
     QCOMPARE(rig.tilt.health().corrupt, std::uint64_t(2));
+}
+
+/// For 100 ms nothing reaches the board; then the two heartbeats of that time do, and their replies leave one after the
+/// other.
+void BoardTiltStrangersTest::heartbeatsThatReachTheBoardTogetherAreNoNewStart()
+{
+    Strange rig;
+    rig.clock.advance(10s);
+    QVERIFY(rig.tilt.connect({}));
+    QVERIFY(rig.tilt.arm({}));
+    const nanoseconds from = rig.clock.now() + 500ms;
+    const nanoseconds to = from + 100ms;
+    int late = 0;
+    rig.board->answer = [&](const Frame& frame, nanoseconds now) -> std::optional<Message> {
+        if (frame.type == GetStatus::kType) {
+            StatusReply status;
+            status.state = State::Armed;
+            return status;
+        }
+        if (frame.type != Heartbeat::kType || now < from || now >= to)
+            return ScriptedBoard::honestAnswer(frame, now);
+        auto reply = std::get<HeartbeatReply>(ScriptedBoard::honestAnswer(frame, to));
+        reply.sentUs += static_cast<std::uint64_t>(100 * ++late);
+        rig.board->say(toFrame(frame.seq, reply), to + late * 100us);
+        return std::nullopt;
+    };
+
+    Result<std::optional<TiltSample>> sample = std::nullopt;
+    while (sample && rig.clock.now() < to + 20ms)
+        sample = rig.tilt.sample(to + 20ms, {});
+    rig.sayPosition(0, rig.clock.now(), 512);
+    if (sample)
+        sample = rig.tilt.sample(rig.clock.now() + 5ms, {});
+
+    QCOMPARE(late, 2);
+    QVERIFY2(sample.has_value(), sample ? "" : sample.error().message.c_str());
+    QCOMPARE(rig.tilt.health().trouble, std::string());
+    // What was known of its clock is kept: half of the 100 us that the quick replies took.
+    QVERIFY(*sample);
+    QCOMPARE((*sample)->uncertainty, nanoseconds{50us});
 }
 
 void BoardTiltStrangersTest::randomMessagesDoNoHarm()

@@ -31,7 +31,7 @@ private slots:
     void aRequestThatTheLineDamagedIsAskedAgain();
     void aPingThatComesBackTheSameIsAnAlarm();
     void twoAnswersToOnePingAreTwoServos();
-    void randomBytesAreNoServoAndTakeNoTime();
+    void randomBytesAreNoServoAndTakeNoLongTime();
     void whateverAnAnswerHoldsNothingBreaks_data();
     void whateverAnAnswerHoldsNothingBreaks();
 };
@@ -262,7 +262,7 @@ private:
 
 }  // namespace
 
-void DynamixelBusTest::randomBytesAreNoServoAndTakeNoTime()
+void DynamixelBusTest::randomBytesAreNoServoAndTakeNoLongTime()
 {
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
         FakeClock clock;
@@ -276,7 +276,8 @@ void DynamixelBusTest::randomBytesAreNoServoAndTakeNoTime()
 
         QVERIFY(!connected);
         QCOMPARE(connected.error().code, ErrorCode::NoDevice);
-        QVERIFY(clock.now() < 500ms);
+        // Two pings in each protocol, which listen for 195 ms; then 0.4 s of quiet, and one more in each for 445 ms.
+        QVERIFY(clock.now() < 2200ms);
     }
 }
 

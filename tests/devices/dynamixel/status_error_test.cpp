@@ -23,36 +23,36 @@ private slots:
 
 namespace {
 
-constexpr DynamixelProtocol kOne = DynamixelProtocol::One;
-constexpr DynamixelProtocol kTwo = DynamixelProtocol::Two;
+constexpr DynamixelProtocol kInOne = DynamixelProtocol::One;
+constexpr DynamixelProtocol kInTwo = DynamixelProtocol::Two;
 
 }  // namespace
 
 void StatusErrorTest::everyBitOfOneIsAboutTheServoOrTheRequest()
 {
-    QVERIFY(decodeStatusError(kOne, 0x01).alarm == (ServoAlarm{.voltage = true}));
-    QVERIFY(decodeStatusError(kOne, 0x04).alarm == (ServoAlarm{.overheating = true}));
-    QVERIFY(decodeStatusError(kOne, 0x20).alarm == (ServoAlarm{.overload = true}));
+    QVERIFY(decodeStatusError(kInOne, 0x01).alarm == (ServoAlarm{.voltage = true}));
+    QVERIFY(decodeStatusError(kInOne, 0x04).alarm == (ServoAlarm{.overheating = true}));
+    QVERIFY(decodeStatusError(kInOne, 0x20).alarm == (ServoAlarm{.overload = true}));
     for (const int bit : {0, 2, 5}) {
-        const StatusError error = decodeStatusError(kOne, static_cast<std::uint8_t>(1U << bit));
+        const StatusError error = decodeStatusError(kInOne, static_cast<std::uint8_t>(1U << bit));
         QVERIFY(error.hasAlarm);
         QVERIFY(error.request == RequestFault::None);
     }
     for (const int bit : {1, 3, 6}) {
-        const StatusError error = decodeStatusError(kOne, static_cast<std::uint8_t>(1U << bit));
+        const StatusError error = decodeStatusError(kInOne, static_cast<std::uint8_t>(1U << bit));
         QVERIFY(!error.hasAlarm);
         QVERIFY(error.request == RequestFault::Refused);
         QVERIFY(!error.refusal.empty());
     }
-    QVERIFY(decodeStatusError(kOne, 0x10).request == RequestFault::Damaged);
-    QVERIFY(!decodeStatusError(kOne, 0x10).hasAlarm);
-    QVERIFY(!decodeStatusError(kOne, 0x00).hasAlarm);
-    QVERIFY(decodeStatusError(kOne, 0x00).request == RequestFault::None);
+    QVERIFY(decodeStatusError(kInOne, 0x10).request == RequestFault::Damaged);
+    QVERIFY(!decodeStatusError(kInOne, 0x10).hasAlarm);
+    QVERIFY(!decodeStatusError(kInOne, 0x00).hasAlarm);
+    QVERIFY(decodeStatusError(kInOne, 0x00).request == RequestFault::None);
 }
 
 void StatusErrorTest::bitsOfBothKindsComeTogether()
 {
-    const StatusError error = decodeStatusError(kOne, 0x24 | 0x02 | 0x10);
+    const StatusError error = decodeStatusError(kInOne, 0x24 | 0x02 | 0x10);
 
     QVERIFY(error.alarm == (ServoAlarm{.overheating = true, .overload = true}));
     QVERIFY(error.request == RequestFault::Refused);
@@ -60,17 +60,17 @@ void StatusErrorTest::bitsOfBothKindsComeTogether()
 
 void StatusErrorTest::everyNumberOfTwoIsAboutTheRequest()
 {
-    QVERIFY(decodeStatusError(kTwo, 0x00).request == RequestFault::None);
+    QVERIFY(decodeStatusError(kInTwo, 0x00).request == RequestFault::None);
     for (const int number : {1, 2, 4, 5, 6, 7, 99}) {
-        const StatusError error = decodeStatusError(kTwo, static_cast<std::uint8_t>(number));
+        const StatusError error = decodeStatusError(kInTwo, static_cast<std::uint8_t>(number));
         QVERIFY(error.request == RequestFault::Refused);
         QVERIFY(!error.refusal.empty());
         QVERIFY(!error.hasAlarm);
     }
-    QVERIFY(decodeStatusError(kTwo, 3).request == RequestFault::Damaged);
-    QVERIFY(decodeStatusError(kTwo, 0x80).hasAlarm);
-    QVERIFY(decodeStatusError(kTwo, 0x80).request == RequestFault::None);
-    QVERIFY(decodeStatusError(kTwo, 0x87).request == RequestFault::Refused);
+    QVERIFY(decodeStatusError(kInTwo, 3).request == RequestFault::Damaged);
+    QVERIFY(decodeStatusError(kInTwo, 0x80).hasAlarm);
+    QVERIFY(decodeStatusError(kInTwo, 0x80).request == RequestFault::None);
+    QVERIFY(decodeStatusError(kInTwo, 0x87).request == RequestFault::Refused);
 }
 
 void StatusErrorTest::theHardwareErrorOfTwoNamesTheAlarm()
@@ -92,9 +92,9 @@ void StatusErrorTest::alarmsAreNamed()
 void StatusErrorTest::alarmsGoThereAndBack()
 {
     const ServoAlarm all{true, true, true, true, true};
-    QCOMPARE(int(alarmBits(kOne, all)), 0x25);
-    QCOMPARE(int(alarmBits(kTwo, all)), 0x3D);
-    QVERIFY(decodeHardwareError(alarmBits(kTwo, all)) == all);
+    QCOMPARE(int(alarmBits(kInOne, all)), 0x25);
+    QCOMPARE(int(alarmBits(kInTwo, all)), 0x3D);
+    QVERIFY(decodeHardwareError(alarmBits(kInTwo, all)) == all);
 }
 
 }  // namespace planewright

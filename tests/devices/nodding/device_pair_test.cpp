@@ -21,6 +21,7 @@ private slots:
     void scansThatNobodyTakesAreBounded();
     void aLaserThatFailedLeavesTheUnitOpen();
     void recordsOfADeviceThatWasClosedAreKept();
+    void whatGoesWrongBesideTheDevicesIsTold();
 };
 
 void DevicePairTest::theSameLaserIsWaitedFor()
@@ -118,6 +119,22 @@ void DevicePairTest::recordsOfADeviceThatWasClosedAreKept()
     const std::vector<FaultRecord> latest = pair.takeLog();
     QCOMPARE(latest.size(), 2 * FaultLog::kMostRecords);
     QCOMPARE(latest.back().text, std::string{"99"});
+}
+
+void DevicePairTest::whatGoesWrongBesideTheDevicesIsTold()
+{
+    DeviceScript script;
+    script.laserLog = {{2s, "laser-sum", "a line with a wrong sum", ""}};
+    NoddingDevices devices = scriptedDevices(script);
+    devices.takeLog = [] { return std::vector<FaultRecord>{{1s, "dialogue-ended", "the disk is full", ""}}; };
+    DevicePair pair(std::move(devices), script.clock);
+    QVERIFY(pair.open({}));
+
+    const std::vector<FaultRecord> log = pair.takeLog();
+
+    QCOMPARE(log.size(), std::size_t(2));
+    QCOMPARE(log[0].code, std::string("dialogue-ended"));
+    QCOMPARE(log[1].code, std::string("laser-sum"));
 }
 
 }  // namespace planewright

@@ -30,6 +30,12 @@ private slots:
     void aLaserThatTellsNothingIsGivenUpBeforeAnythingMoves();
     void theHeadStopsWhileTheLaserIsSilent();
     void aHeadThatRestsBesideItsGoalHasArrived();
+    void aHeadThatWasHeldInASweepIsSentThereOnceMore();
+    void aHeadThatStaysBlockedIsToldWithItsLoad();
+    void aUnitThatFallsSilentInAScanIsLostAndNotBlocked_data();
+    void aUnitThatFallsSilentInAScanIsLostAndNotBlocked();
+    void whatGivesNoSliceIsToldByWhoKnowsWhy_data();
+    void whatGivesNoSliceIsToldByWhoKnowsWhy();
     void slicesThatWereLostAreTakenAgain_data();
     void slicesThatWereLostAreTakenAgain();
     void slicesThatAreLostForGoodAreCounted();
@@ -334,6 +340,117 @@ void NoddingRecoveryTest::aHeadThatRestsBesideItsGoalHasArrived()
 
     QCOMPARE(slices.size(), std::size_t(20));
     QVERIFY(std::abs(slices[3].tilt - degrees(83.0 - 1.2)) < 1e-9);
+}
+
+/// Something is in its way at 90.3°, until the head has gone back to where the slice after it begins.
+void NoddingRecoveryTest::aHeadThatWasHeldInASweepIsSentThereOnceMore()
+{
+    DeviceScript script;
+    script.blocks = [&](double pitch) { return script.count("move") < 4 ? std::min(pitch, degrees(90.3)) : pitch; };
+    const auto source = openOn(script, recoveryPlan());
+    QVERIFY(source->begin({}));
+
+    const auto slices = takeAllOf(*source);
+
+    QCOMPARE(slices.size(), std::size_t(20));
+    QCOMPARE(script.count("move"), 4);  // to where the sweep begins, and through it: twice
+    for (std::size_t i = 0; i < slices.size(); ++i)
+        QCOMPARE(slices[i].step, static_cast<int>(i));
+}
+
+void NoddingRecoveryTest::aHeadThatStaysBlockedIsToldWithItsLoad()
+{
+    for (const Mode mode : {Mode::Continuous, Mode::StepAndStare}) {
+        DeviceScript script;
+        script.blocks = [](double pitch) { return std::min(pitch, degrees(90.3)); };
+        const auto source = openOn(script, recoveryPlan(mode));
+        QVERIFY(source->begin({}));
+
+        Result<std::optional<ScanSlice>> slice = source->next({});
+        while (slice && *slice)
+            slice = source->next({});
+
+        QVERIFY(!slice);
+        QCOMPARE(slice.error().code, ErrorCode::NeedsOperator);
+        const QString message = QString::fromStdString(slice.error().message);
+        QVERIFY2(message.startsWith("RX-64, number 1, firmware 24: the head has not moved for 0.8 s (load 0 %)"),
+                 qPrintable(message));
+        QVERIFY(script.clock.now() < 10s);
+    }
+}
+
+void NoddingRecoveryTest::aUnitThatFallsSilentInAScanIsLostAndNotBlocked_data()
+{
+    QTest::addColumn<Mode>("mode");
+    QTest::newRow("sweeping") << Mode::Continuous;
+    QTest::newRow("stepping") << Mode::StepAndStare;
+}
+
+void NoddingRecoveryTest::aUnitThatFallsSilentInAScanIsLostAndNotBlocked()
+{
+    QFETCH(Mode, mode);
+    DeviceScript script;
+    const auto source = openOn(script, recoveryPlan(mode));
+    QVERIFY(source->begin({}));
+    for (int i = 0; i < 5; ++i)
+        QVERIFY(source->next({}).value());
+
+    script.hasSamples = false;
+    Result<std::optional<ScanSlice>> slice = source->next({});
+    while (slice && *slice)
+        slice = source->next({});
+
+    QVERIFY(!slice);
+    QCOMPARE(slice.error().code, ErrorCode::DeviceLost);
+    const QString message = QString::fromStdString(slice.error().message);
+    QVERIFY2(message.startsWith(
+                 "RX-64, number 1, firmware 24: no angle that can be used has come for 0.5 s; look at its cable") ||
+                 message.contains("for 0.6 s; look at its cable"),
+             qPrintable(message));
+    QVERIFY(script.count("stop") > 0);
+}
+
+void NoddingRecoveryTest::whatGivesNoSliceIsToldByWhoKnowsWhy_data()
+{
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<QString>("laser");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("the unit does") << "bus: servo 1 answers 60 ms late"
+                                   << ""
+                                   << "RX-64, number 1, firmware 24: no slice that can be used has come for "
+                                      "1.@: bus: servo 1 answers 60 ms late";
+    QTest::newRow("the laser does")
+        << ""
+        << "usb: its clock stands still"
+        << "UTM-30LX: no slice that can be used has come for 1.@: usb: its clock stands still";
+    QTest::newRow("nobody does") << ""
+                                 << ""
+                                 << "UTM-30LX: no slice that can be used has come for 1.@; look at the cables";
+}
+
+void NoddingRecoveryTest::whatGivesNoSliceIsToldByWhoKnowsWhy()
+{
+    QFETCH(QString, unit);
+    QFETCH(QString, laser);
+    QFETCH(QString, says);
+    DeviceScript script;
+    const auto source = openOn(script, recoveryPlan(Mode::StepAndStare));
+    QVERIFY(source->begin({}));
+    for (int i = 0; i < 5; ++i)
+        QVERIFY(source->next({}).value());
+
+    script.hasTimes = false;
+    script.unitTrouble = unit.toStdString();
+    script.laserTrouble = laser.toStdString();
+    Result<std::optional<ScanSlice>> slice = source->next({});
+    while (slice && *slice)
+        slice = source->next({});
+
+    QVERIFY(!slice);
+    QCOMPARE(slice.error().code, ErrorCode::DeviceLost);
+    const QString message = QString::fromStdString(slice.error().message);
+    const QStringList parts = says.split('@');
+    QVERIFY2(message.startsWith(parts[0]) && message.contains(parts[1]), qPrintable(message));
 }
 
 void NoddingRecoveryTest::slicesThatWereLostAreTakenAgain_data()

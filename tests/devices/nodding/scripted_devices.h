@@ -41,11 +41,15 @@ struct DeviceScript {
     std::function<Result<void>()> onLaser;  ///< before each look for a scan
 
     std::vector<FaultRecord> laserLog;
+    std::string laserTrouble;
+    std::string unitTrouble;
+    bool hasTimes = true;  ///< the laser's scans
 
     std::string unit = "RX-64, number 1, firmware 24";
     double unitHighest = degrees(180.0);
     double tolerance = degrees(0.5);
-    double sag = 0.0;  ///< how far below its goal the head comes to rest [rad]
+    std::function<double(double)> blocks;  ///< where the head stands that would be at a pitch [rad]
+    double sag = 0.0;                      ///< how far below its goal the head comes to rest [rad]
     bool hasSamples = true;
     bool hasTorque = true;                 ///< of the unit
     std::optional<Time> startedAt;         ///< the unit, as it says
@@ -149,13 +153,20 @@ public:
         return {};
     }
 
+    LinkHealth health() const override
+    {
+        LinkHealth health;
+        health.trouble = script_.unitTrouble;
+        return health;
+    }
     bool holdsItself() const override { return script_.hasTorque; }
     std::optional<std::chrono::nanoseconds> startedAt() const override { return script_.startedAt; }
 
     double pitchAt(std::chrono::nanoseconds at) const
     {
         const double way = speed_ * std::chrono::duration<double>(at - since_).count();
-        return std::abs(goal_ - from_) <= way ? goal_ : from_ + std::copysign(way, goal_ - from_);
+        const double pitch = std::abs(goal_ - from_) <= way ? goal_ : from_ + std::copysign(way, goal_ - from_);
+        return script_.blocks ? script_.blocks(pitch) : pitch;
     }
 
 private:
@@ -212,6 +223,7 @@ public:
             scan.last = next_ + kScan;
             scan.arrived = arrives;
             scan.ranges.assign(721, 2500);
+            scan.timeSuspect = !script_.hasTimes;
             next_ += kTurn;
             return scan;
         }
@@ -222,7 +234,12 @@ public:
         return {};
     }
     Result<void> lookAfter() override { return script_.onLook ? script_.onLook() : Result<void>{}; }
-    LinkHealth health() const override { return {}; }
+    LinkHealth health() const override
+    {
+        LinkHealth health;
+        health.trouble = script_.laserTrouble;
+        return health;
+    }
     std::vector<FaultRecord> takeLog() override { return std::exchange(script_.laserLog, {}); }
 
 private:

@@ -28,6 +28,8 @@ private slots:
     void aSweepGoesOnAtTheMissingSlice();
     void anAngleThatIsNotAsToldIsMarkedOnceAndThenAnError();
     void aHeadThatStopsInASweepIsSeen();
+    void aSlowHeadHasTimeForItsCounts();
+    void anglesThatDoNotComeAreNoStandstill();
     void aRestingSliceIsTakenAfterTheRestOnly();
     void aRestingSliceHasTheMeanOfItsAngles();
     void aHeadThatNeverGetsThereIsSeen();
@@ -304,8 +306,51 @@ void SliceTakerTest::aHeadThatStopsInASweepIsSeen()
 
     for (Time t = 404ms; t <= 900ms; t += 4ms)
         track.add({t, degrees(56.0), false});
+    QVERIFY(taker.getsOn(track, 900ms));  // its driver may tell it once more first
+    for (Time t = 904ms; t <= 1300ms; t += 4ms)
+        track.add({t, degrees(56.0), false});
 
-    QVERIFY(!taker.getsOn(track, 900ms));
+    QVERIFY(!taker.getsOn(track, 1300ms));
+}
+
+void SliceTakerTest::aSlowHeadHasTimeForItsCounts()
+{
+    // 0.6 degrees a second: a count of 0.29 degrees takes half a second.
+    ScanPlan plan = smallPlan();
+    plan.pitchStep = degrees(0.3);
+    plan.slices = 60;
+    FittedPlan fitted = fitPlan(plan, utm30lx(), StillUnit{}).value();
+    fitted.sweepSpeed = degrees(0.6);
+    constexpr double kCount = degrees(0.29);
+    SliceTaker taker{plan, fitted, utm30lx(), {"unit", 0.0, degrees(180.0), kCount, degrees(90.0), kCount}};
+    taker.aimed(-1ms);
+    TiltTrack track;
+    Time now{0};
+    for (; now <= 6s; now += 5ms) {
+        const double way = degrees(0.6) * std::chrono::duration<double>(now).count();
+        track.add({now, degrees(40.0) + kCount * std::floor(way / kCount), true});
+        QVERIFY(taker.getsOn(track, now));
+    }
+
+    const double there = track.last().pitch;
+    for (; now <= 9s; now += 5ms)
+        track.add({now, there, false});
+
+    QVERIFY(!taker.getsOn(track, now));
+}
+
+void SliceTakerTest::anglesThatDoNotComeAreNoStandstill()
+{
+    for (const auto mode : {ScanPlan::Mode::Continuous, ScanPlan::Mode::StepAndStare}) {
+        ScanPlan plan = smallPlan(mode);
+        plan.slices = 60;
+        SliceTaker taker = takerOf(plan);
+        taker.aimed(-30ms);
+        const TiltTrack track = movingTrack(degrees(38.0), degrees(2.0), 400ms);
+
+        for (const Time now : {500ms, 700ms, 1200ms, 5000ms})
+            QVERIFY(taker.getsOn(track, now));
+    }
 }
 
 void SliceTakerTest::aRestingSliceIsTakenAfterTheRestOnly()
@@ -348,11 +393,13 @@ void SliceTakerTest::aHeadThatNeverGetsThereIsSeen()
     SliceTaker taker = takerOf(smallPlan(ScanPlan::Mode::StepAndStare));
     taker.aimed(0ms);
     TiltTrack track;
-    for (Time t = 0ms; t <= 400ms; t += 5ms)
+    for (Time t = 0ms; t <= 795ms; t += 5ms)
         track.add({t, degrees(39.0), false});
+    QVERIFY(taker.getsOn(track, 795ms));
 
-    QVERIFY(taker.getsOn(track, 299ms));
-    QVERIFY(!taker.getsOn(track, 400ms));
+    track.add({800ms, degrees(39.0), false});
+
+    QVERIFY(!taker.getsOn(track, 800ms));
     QVERIFY(takeTurns(taker, track, {100ms, 200ms}).empty());
 }
 

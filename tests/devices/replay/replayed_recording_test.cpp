@@ -47,7 +47,7 @@ std::shared_ptr<const Recording> threeSlices()
 void ReplayedRecordingTest::givesEverySliceAsItWasRecordedAndThenNone()
 {
     FakeClock clock;
-    ReplayedRecording source{threeSlices(), "three.csv", clock, 0.0};
+    ReplayedRecording source{threeSlices(), "three.csv", clock, 0.0, 7};
 
     QVERIFY(source.begin({}));
     for (int i = 0; i < 3; ++i) {
@@ -59,14 +59,14 @@ void ReplayedRecordingTest::givesEverySliceAsItWasRecordedAndThenNone()
     const auto end = source.next({});
 
     QVERIFY(end && !*end);
-    QCOMPARE(source.plannedSlices().value(), 3);
+    QCOMPARE(source.plannedSlices().value(), 7);
     QCOMPARE(source.description().beams, 2);
 }
 
 void ReplayedRecordingTest::keepsToTheTimesOfTheSlices()
 {
     FakeClock clock;
-    ReplayedRecording source{threeSlices(), "three.csv", clock, 0.5};
+    ReplayedRecording source{threeSlices(), "three.csv", clock, 0.5, 3};
 
     while (*source.next({})) {
     }
@@ -77,7 +77,7 @@ void ReplayedRecordingTest::keepsToTheTimesOfTheSlices()
 void ReplayedRecordingTest::beginsAnewFromTheFirstSlice()
 {
     FakeClock clock;
-    ReplayedRecording source{threeSlices(), "three.csv", clock, 1.0};
+    ReplayedRecording source{threeSlices(), "three.csv", clock, 1.0, 3};
     while (*source.next({})) {
     }
 
@@ -91,7 +91,7 @@ void ReplayedRecordingTest::beginsAnewFromTheFirstSlice()
 void ReplayedRecordingTest::isNoScanner()
 {
     FakeClock clock;
-    ReplayedRecording source{threeSlices(), "three.csv", clock, 1.0};
+    ReplayedRecording source{threeSlices(), "three.csv", clock, 1.0, 3};
 
     QVERIFY(!source.isLive());
     QVERIFY(source.stopMotion());
@@ -101,7 +101,7 @@ void ReplayedRecordingTest::isNoScanner()
 void ReplayedRecordingTest::aStopGivesNoSliceAndLosesNone()
 {
     FakeClock clock;
-    ReplayedRecording source{threeSlices(), "three.csv", clock, 1.0};
+    ReplayedRecording source{threeSlices(), "three.csv", clock, 1.0, 3};
     std::stop_source stop;
     stop.request_stop();
 
@@ -116,7 +116,7 @@ void ReplayedRecordingTest::aStopGivesNoSliceAndLosesNone()
 void ReplayedRecordingTest::goesOnStepByStepWhilePaused()
 {
     FakeClock clock;
-    ReplayedRecording source{threeSlices(), "three.csv", clock, 1.0};
+    ReplayedRecording source{threeSlices(), "three.csv", clock, 1.0, 3};
     std::atomic<int> slices{0};
     QVERIFY(source.pause());
     std::jthread reading{[&](const std::stop_token& stop) {

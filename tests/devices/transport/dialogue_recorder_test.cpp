@@ -39,6 +39,7 @@ private slots:
     void anExistingFileIsNotTouched();
     void aFolderThatIsNotThereIsNamed();
     void aFullDiskEndsTheRecordAndNotTheLink();
+    void aRecordThatEndsEarlyIsToldOnce();
     void aFileThatMayGrowNoMoreHoldsWholeLines();
     void aSlowDiskEndsTheRecordAndNotTheLink();
     void twoThreadsMayUseTheLinkAtOnce();
@@ -262,6 +263,27 @@ void DialogueRecorderTest::aFullDiskEndsTheRecordAndNotTheLink()
     QVERIFY2(link->trouble().starts_with("dialogue.txt: the dialogue is recorded no further ("),
              link->trouble().c_str());
     QCOMPARE(link->health().trouble, link->trouble());
+}
+
+void DialogueRecorderTest::aRecordThatEndsEarlyIsToldOnce()
+{
+    std::mutex mutex;
+    std::vector<std::string> told;
+    const auto onTrouble = [&](const std::string& line) {
+        const std::scoped_lock lock{mutex};
+        told.push_back(line);
+    };
+    const auto writer =
+        DialogueWriter::begin(Descriptor{::open("/dev/full", O_WRONLY | O_CLOEXEC)}, "dialogue.txt", "echo", onTrouble);
+    QVERIFY(writer);
+
+    for (int i = 0; i < 3; ++i) {
+        (*writer)->add({DialogueEvent::Kind::ToDevice, 1ms, {'a'}});
+        QTRY_VERIFY_WITH_TIMEOUT(!(*writer)->trouble().empty(), 30'000);
+    }
+    (*writer)->finish();
+
+    QCOMPARE(told, std::vector<std::string>{(*writer)->trouble()});
 }
 
 void DialogueRecorderTest::aFileThatMayGrowNoMoreHoldsWholeLines()

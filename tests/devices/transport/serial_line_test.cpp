@@ -43,6 +43,7 @@ private slots:
     void aPortThatIsNotThereIsExplained();
     void whatIsNoPortIsExplained();
     void noPermissionIsExplainedWithTheCommand();
+    void aRuleForUdevIsForPortsOfUsbAlone();
 };
 
 namespace {
@@ -261,11 +262,26 @@ void SerialLineTest::whatIsNoPortIsExplained()
 void SerialLineTest::noPermissionIsExplainedWithTheCommand()
 {
     // Root may open anything, so that this is told of the text and not of a file.
-    const std::string text = serialTroubleText(EACCES, "/dev/ttyNOWHERE7");
+    const std::string text = serialTroubleText(EACCES, "/dev/ttyUSB77");
 
     QVERIFY2(holds(text, "sudo usermod -aG dialout \"$USER\""), text.c_str());
     QVERIFY2(holds(text, "/etc/udev/rules.d/"), text.c_str());
+    QVERIFY(holds(serialTroubleText(EACCES, "/dev/ttyACM77"), "/etc/udev/rules.d/"));
     QVERIFY2(holds(serialTroubleText(EBUSY, "/dev/ttyNOWHERE7"), "another program"), text.c_str());
+}
+
+void SerialLineTest::aRuleForUdevIsForPortsOfUsbAlone()
+{
+    const QTemporaryDir folder;
+    const std::string name = folder.filePath("usb-FTDI_FT232R-if00-port0").toStdString();
+    QVERIFY(QFile(folder.filePath("ttyUSB0")).open(QIODevice::WriteOnly));
+    QVERIFY(QFile::link("ttyUSB0", QString::fromStdString(name)));
+
+    const std::string text = serialTroubleText(EACCES, "/dev/ttyS0");
+
+    QVERIFY2(holds(text, "sudo usermod -aG dialout \"$USER\""), text.c_str());
+    QVERIFY2(!holds(text, "udev"), text.c_str());
+    QVERIFY(holds(serialTroubleText(EACCES, name), "udev"));  // as in /dev/serial/by-id
 }
 
 }  // namespace planewright

@@ -18,6 +18,7 @@ class TcpTroubleTest : public QObject {
 private slots:
     void whyThereIsNoConnectionIsToldWithWhatToDo_data();
     void whyThereIsNoConnectionIsToldWithWhatToDo();
+    void whatHasAnsweredBeforeIsNotAnotherProgramsNow();
     void aHostInThisNetworkIsNotBlamedOnTheNetwork();
     void aNumberOfVersion6IsNotBlamedOnTheNetwork();
     void theAddressProposedIsNotTheHostsOwn();
@@ -63,6 +64,15 @@ void TcpTroubleTest::whyThereIsNoConnectionIsToldWithWhatToDo()
     const std::string text = connectTroubleText(error, address("192.168.0.10"), std::vector{kOffice});
 
     QVERIFY2(text.find(says.toStdString()) != std::string::npos, text.c_str());
+    QVERIFY2(text.find("laser") == std::string::npos, text.c_str());  // it may be a servo's adapter, or a board
+}
+
+void TcpTroubleTest::whatHasAnsweredBeforeIsNotAnotherProgramsNow()
+{
+    const std::string text = connectTroubleText(ECONNREFUSED, address("192.168.0.10"), std::vector{kOffice}, true);
+
+    QVERIFY2(text.starts_with("nothing answers there yet"), text.c_str());
+    QVERIFY2(text.find("program") == std::string::npos, text.c_str());
 }
 
 void TcpTroubleTest::aHostInThisNetworkIsNotBlamedOnTheNetwork()
@@ -111,6 +121,7 @@ void TcpTroubleTest::whyAConnectionIsOverIsToldWithWhatToDo()
     const std::string text = tcpEndText(error, anythingCame);
 
     QVERIFY2(text.find(says.toStdString()) != std::string::npos, text.c_str());
+    QVERIFY2(text.find("laser") == std::string::npos, text.c_str());
 }
 
 void TcpTroubleTest::hostsArePutIntoBracketsWhereTheyHaveColons()

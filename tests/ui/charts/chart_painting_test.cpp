@@ -20,6 +20,7 @@ class ChartPaintingTest : public QObject {
 private slots:
     void theFrameIsWhereTheCurveIs();
     void aLimitThatIsFarAwayDoesNotFlattenTheRest();
+    void limitsThatAreNearToEachOtherAreBothNamed();
     void aChartWithoutNumbersHasAxes();
     void nothingIsDrawnWhereThereIsNoRoom();
 
@@ -85,6 +86,37 @@ void ChartPaintingTest::aLimitThatIsFarAwayDoesNotFlattenTheRest()
     QVERIFY(ofFast.highY > 2.0 && ofFast.highY < 3.0);
     QVERIFY(ofUsual.highY > 10.0 && ofUsual.highY < 12.0);
     QVERIFY(ofSlow.highY > 25.0 && ofSlow.highY < 30.0);
+}
+
+void ChartPaintingTest::limitsThatAreNearToEachOtherAreBothNamed()
+{
+    using std::chrono::milliseconds;
+    const auto verySlow =
+        MadeHistory().step(1, 0, 0, 0.0).step(1, 0, 0, 0.0).takes(Phase::Fit, milliseconds(300)).get();
+    Chart both = scanCharts(verySlow, 4.0)[4];
+    Chart one = both;
+    one.series.pop_back();
+    QCOMPARE(one.series.back().name, std::string("10 ms"));
+
+    // What the line at 25 ms adds to the picture takes nothing of the name of that at 10 ms.
+    const PlotFrame frame = paint(one, {400, 200});
+    const QImage alone = image_;
+    paint(both, {400, 200});
+    const int top = static_cast<int>(frame.pixelY(10.0)) - 12;
+    const int right = static_cast<int>(frame.area.right()) - 2;
+    QVERIFY(frame.pixelY(10.0) - frame.pixelY(25.0) < 12.0);
+    int dark = 0;
+    int kept = 0;
+    for (int y = top; y < top + 10; ++y) {
+        for (int x = right - 40; x < right; ++x) {
+            if (alone.pixelColor(x, y).lightness() > 90)
+                continue;
+            ++dark;
+            kept += image_.pixelColor(x, y).lightness() <= 130 ? 1 : 0;
+        }
+    }
+    QVERIFY2(dark > 30, qPrintable(QString::number(dark)));
+    QCOMPARE(kept, dark);
 }
 
 void ChartPaintingTest::aChartWithoutNumbersHasAxes()

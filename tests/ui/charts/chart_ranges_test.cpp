@@ -4,6 +4,7 @@
 #include "ui/charts/chart_ranges.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QtTest>
 
@@ -20,6 +21,7 @@ private slots:
     void thinnedLinesKeepTheirPeaks();
     void thinnedStacksKeepWholeSteps();
     void whatHasRoomStaysAsItIs();
+    void aLineIsTakenApartAtItsGaps();
 };
 
 namespace {
@@ -95,6 +97,24 @@ void ChartRangesTest::whatHasRoomStaysAsItIs()
     chart.series.push_back(manyPoints(ChartSeries::Style::Line));
 
     QCOMPARE(thinned(chart, 1000.0).series[0].x, chart.series[0].x);
+}
+
+void ChartRangesTest::aLineIsTakenApartAtItsGaps()
+{
+    const double none = std::nan("");
+    Chart chart;
+    chart.series = {{"E", {1.0, 2.0, 3.0, 4.0, 5.0}, {none, 2.0, 3.0, none, 1.0}, ChartSeries::Style::Line, 3},
+                    {"limit", {0.0}, {4.0}, ChartSeries::Style::Limit, 0}};
+
+    const Chart pieces = inPieces(chart);
+
+    QCOMPARE(rangesOf(chart).highY, 1.08 * 4.0);
+    QCOMPARE(pieces.series.size(), std::size_t(3));
+    QCOMPARE(pieces.series[0].x, (std::vector<double>{2.0, 3.0}));
+    QCOMPARE(pieces.series[0].y, (std::vector<double>{2.0, 3.0}));
+    QCOMPARE(pieces.series[1].x, std::vector<double>{5.0});
+    QCOMPARE(pieces.series[1].colour, 3);
+    QCOMPARE(pieces.series[2].y, std::vector<double>{4.0});
 }
 
 }  // namespace planewright

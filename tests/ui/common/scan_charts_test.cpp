@@ -21,6 +21,7 @@ private slots:
     void theLastPassIsNoStep();
     void averagesAreOverTheStepsAtWhichAPhaseRan();
     void timeAgainstSegmentsAddsUpAndIsFitted();
+    void theMeanErrorHasALineAtItsLimitOrAtWhatIsExpected();
     void theTableIsTabSeparated();
     void chartsOverStepsShareATable();
 };
@@ -45,7 +46,8 @@ void ScanChartsTest::countsAreThoseOfTheReports()
     QCOMPARE(charts[0].series[0].y, (std::vector<double>{3.0, 8.0}));
     QCOMPARE(charts[1].series[0].y, (std::vector<double>{1.0, 2.0}));
     QCOMPARE(charts[2].series[0].y, (std::vector<double>{0.0, 1.0}));
-    QCOMPARE(charts[3].series[0].y, (std::vector<double>{0.0, 1.5}));
+    QVERIFY(std::isnan(charts[3].series[0].y[0]));  // no plane, no error
+    QCOMPARE(charts[3].series[0].y[1], 1.5);
     QCOMPARE(charts[0].places, (std::vector<int>{0, 1}));
 }
 
@@ -98,13 +100,25 @@ void ScanChartsTest::timeAgainstSegmentsAddsUpAndIsFitted()
     QCOMPARE(QString::fromStdString(chart.note), QStringLiteral("1 ms +0.05 ms per segment, R² 1.00"));
 }
 
+void ScanChartsTest::theMeanErrorHasALineAtItsLimitOrAtWhatIsExpected()
+{
+    const Chart limited = scanCharts({}, 4.5)[3];
+    const Chart unlimited = scanCharts({}, std::nullopt)[3];
+
+    QCOMPARE(limited.series[1].name, std::string("limit"));
+    QCOMPARE(limited.series[1].y.front(), 4.5);
+    QCOMPARE(unlimited.series[1].name, std::string("expected"));
+    QCOMPARE(unlimited.series[1].y.front(), 1.0);
+    QVERIFY(limited.yTitle.empty());
+}
+
 void ScanChartsTest::theTableIsTabSeparated()
 {
     const auto history = MadeHistory().step(3, 1, 0, 0.0).step(8, 2, 1, 1.5).get();
 
     const std::string text = tabSeparated(tableOf(scanCharts(history, 4.0)[3]));
 
-    QCOMPARE(QString::fromStdString(text), QStringLiteral("step\tmean error [σ]\n1\t0\n2\t1.5\n"));
+    QCOMPARE(QString::fromStdString(text), QStringLiteral("step\tmean E\n1\t\n2\t1.5\n"));
 }
 
 void ScanChartsTest::chartsOverStepsShareATable()

@@ -146,6 +146,25 @@ void DecisionTextTest::otherDecisionsInWords_data()
     QTest::addColumn<Decision>("decision");
     QTest::addColumn<QString>("text");
     const SegmentId segment{62, 3};
+    QTest::newRow("too few points") << Decision{Phase::Extract,
+                                                Kind::Reject,
+                                                {PieceRef{62, 47, 51}},
+                                                {{"points", 5.0, Comparison::GreaterEqual, 7.0}},
+                                                {}}
+                                    << QStringLiteral("beams 47–51 discarded: points 5 ≥ 7 ✘");
+    QTest::newRow("too short") << Decision{Phase::Extract,
+                                           Kind::Reject,
+                                           {PieceRef{62, 47, 66}},
+                                           {{"points", 20.0, Comparison::GreaterEqual, 7.0},
+                                            {"length", 0.1243, Comparison::GreaterEqual, 0.2}},
+                                           {}}
+                               << QStringLiteral("beams 47–66 discarded: points 20 ≥ 7 ✔, length 0.124 ≥ 0.200 m ✘");
+    QTest::newRow("a mixed pixel") << Decision{Phase::Extract,
+                                               Kind::Reject,
+                                               {PieceRef{62, 30, 30}},
+                                               {{"line_distance", 0.051, Comparison::LessEqual, 0.03}},
+                                               {}}
+                                   << QStringLiteral("beam 30 discarded: off the line 0.051 ≤ 0.030 m ✘");
     QTest::newRow("without any plane") << Decision{Phase::Assign, Kind::Reject, {segment}, {}, {}}
                                        << QStringLiteral("seg 63.3 fits no plane");
     QTest::newRow("leaves its plane") << Decision{Phase::Finish,
@@ -285,7 +304,9 @@ void DecisionTextTest::phasesTellWhatTheyGave()
         {Phase::Remaining, Kind::Assign, {SegmentId{1, 2}, PlaneRef{2}}, {}, {PlaneRef{2}}},
         {Phase::Remaining, Kind::Reject, {SegmentId{1, 3}}, {}, {}}};
 
+    const std::vector<Decision> discarded{{Phase::Extract, Kind::Reject, {PieceRef{1, 40, 41}}, {}, {}}};
     QCOMPARE(phaseResult(Phase::Extract, counts, {}), QStringLiteral("12 segments in 689 points"));
+    QCOMPARE(phaseResult(Phase::Extract, counts, discarded), QStringLiteral("12 segments in 689 points, 1 discarded"));
     QCOMPARE(phaseResult(Phase::Remaining, counts, decisions), QStringLiteral("2 assigned, 1 fit none"));
     QCOMPARE(phaseResult(Phase::SplitMerge, counts, {}), QStringLiteral("nothing"));
     QCOMPARE(phaseTitle(Phase::SplitMerge, {}), QStringLiteral("Split and merge"));

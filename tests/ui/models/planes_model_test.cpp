@@ -21,6 +21,7 @@ private slots:
     void init();
     void cellsSayWhatThePlaneIs_data();
     void cellsSayWhatThePlaneIs();
+    void anErrorIsHeldAgainstALimitOnlyWhereThereIsOne();
     void aLevelPlaneHasNoHeading();
     void anOutlineToComeIsThreeDots();
     void lengthsAreShownInTheUnitThatWasChosen();
@@ -93,6 +94,25 @@ void PlanesModelTest::cellsSayWhatThePlaneIs()
     model_->setMap(made.plane(plane, "wall", "Right wall").outlined(3.2101, 2.5, 1.284).get());
 
     QCOMPARE(model_->index(0, column).data().toString(), text);
+}
+
+void PlanesModelTest::anErrorIsHeldAgainstALimitOnlyWhereThereIsOne()
+{
+    MadeMap made;
+    made.slice(2);
+    Plane plane = made.wall(0, {{0, 0}, {0, 1}});
+    plane.fittingError = 9.0;
+    model_->setMap(made.plane(plane).get());
+    const QModelIndex error = model_->index(0, static_cast<int>(PlaneColumn::Error));
+    const auto tip = [&] { return error.data(Qt::ToolTipRole).toString(); };
+
+    model_->setErrorLimit(4.5);
+    QCOMPARE(error.data(kLimitRole).toDouble(), 4.5);
+    QVERIFY2(tip().contains("by 3.0 times") && tip().contains("above 4.5"), qPrintable(tip()));
+    model_->setErrorLimit(std::nullopt);
+
+    QVERIFY(!error.data(kLimitRole).isValid());
+    QVERIFY2(tip().contains("by 3.0 times") && tip().contains("splits no plane"), qPrintable(tip()));
 }
 
 void PlanesModelTest::aLevelPlaneHasNoHeading()

@@ -17,6 +17,7 @@ private slots:
     void itFollowsTheNewestStep();
     void whoLooksBackStays();
     void anotherScanBeginsAnew();
+    void aScanOfAsManyStepsIsAnother();
     void stepsHavePlaces();
     void phasesAreOfOneStep();
     void loopsAndBookmarksAreKept();
@@ -95,6 +96,28 @@ void PlayheadTest::anotherScanBeginsAnew()
     QVERIFY(playhead.bookmarks().empty());
     playhead.setHistory({}, 0);
     QCOMPARE(playhead.place(), -1);
+}
+
+void PlayheadTest::aScanOfAsManyStepsIsAnother()
+{
+    Playhead playhead;
+    playhead.setHistory(evenSteps(5), 0);
+    playhead.showPhase(1);
+    QSignalSpy places(&playhead, &Playhead::placeChanged);
+    std::shared_ptr<const Snapshot> seen;
+    connect(&playhead, &Playhead::historyChanged, this, [&] { seen = playhead.snapshot(); });
+    const Playhead::History again = evenSteps(5);
+    playhead.setHistory(again, 0);
+    QCOMPARE(places.count(), 1);
+    QCOMPARE(places[0][0].toInt(), 4);
+    QCOMPARE(seen, again[4]);
+    QVERIFY(!playhead.phase());
+    playhead.setHistory(evenSteps(2), 0);
+    QCOMPARE(playhead.place(), 1);
+    QVERIFY(seen != nullptr);
+    playhead.setHistory({}, 0);
+    QVERIFY(seen == nullptr);
+    QCOMPARE(places.count(), 3);
 }
 
 void PlayheadTest::stepsHavePlaces()

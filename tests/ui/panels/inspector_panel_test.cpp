@@ -118,7 +118,7 @@ void InspectorPanelTest::theHeaderTellsTheNumbersOfTheStep()
 
     QCOMPARE(panel.header().split('\n'),
              (QStringList{"Step 70 of 137   φ 82.0°   1.73 s   3.2 of 25 ms",
-                          "689 points, 12 segments: 9 assigned, 3 clustered",
+                          "689 returns, 12 segments: 9 assigned, 3 clustered",
                           "So far 874 segments: 812 fitted, 62 unfitted; 9 planes, mean E 0.93"}));
 }
 

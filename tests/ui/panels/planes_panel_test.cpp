@@ -209,6 +209,17 @@ void PlanesPanelTest::afterAScanWithoutPlanesItOffersWhatToDo()
     emit label->linkActivated("planes.min-cluster-segments");
     QCOMPARE(unfitted.size(), 1);
     QCOMPARE(parameter.value(0).value(0).toString(), QStringLiteral("planes.min-cluster-segments"));
+
+    // Where no cluster has to be so large, and where there is nothing at all.
+    Parameters parameters;
+    parameters.method.estimator = Estimator::Likelihood;
+    panel_->setParameters(parameters);
+    QVERIFY(panel_->table()->shownInstead().startsWith("No segments gave a plane. 41 segments are unfitted."));
+    QVERIFY(!panel_->table()->shownInstead().contains("N<sub>c</sub>"));
+    model_->setMap(MadeMap().slice(1).finished(1).get());
+    QVERIFY(panel_->table()->shownInstead().contains(" 1 segment is unfitted."));
+    model_->setMap(MadeMap().slice(0).finished(0).get());
+    QCOMPARE(panel_->table()->shownInstead(), QStringLiteral("No planes: the scan has no line segments."));
 }
 
 void PlanesPanelTest::renamingEditsTheNameInTheTable()

@@ -81,6 +81,8 @@ void SegmentsPanelTest::itSaysWhyItIsEmpty()
     model_->setMap(made.plane(made.wall(0, {{0, 0}})).get());
 
     QCOMPARE(panel_->table()->shownInstead(), QStringLiteral("Every segment belongs to a plane."));
+    model_->setMap(MadeMap().slice(0).finished(0).get());
+    QCOMPARE(panel_->table()->shownInstead(), QStringLiteral("The scan has no line segments."));
 }
 
 }  // namespace planewright

@@ -11,6 +11,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyleOptionComboBox>
 #include <QTemporaryFile>
 #include <QtTest>
 
@@ -29,6 +30,8 @@ private slots:
     void aScanThatIsNoneSaysWhatToGive();
     void everyRoomAndNoiseOfTheSimulatorIsOffered();
     void aSimulationIsRequestedAsItIsSetUp();
+    void numbersAreReadInANarrowDock_data();
+    void numbersAreReadInANarrowDock();
     void aSetupIsShownAsItWasGiven();
     void aFileThatIsNotThereIsNotOpened();
     void aRecordingIsOpenedOrPlayed();
@@ -104,6 +107,49 @@ void SourcePanelTest::aSimulationIsRequestedAsItIsSetUp()
     QCOMPARE(requested.size(), 1);
     const auto setup = requested[0][0].value<SimulationSetup>();
     QVERIFY(setup == (SimulationSetup{.scene = "office", .seed = 42, .lastTilt = 90.5, .speed = 0.0}));
+}
+
+void SourcePanelTest::numbersAreReadInANarrowDock_data()
+{
+    QTest::addColumn<int>("width");
+    for (const int width : {300, 285, 240})
+        QTest::addRow("%d", width) << width;
+}
+
+void SourcePanelTest::numbersAreReadInANarrowDock()
+{
+    QFETCH(int, width);
+    panel_->resize(width, 600);
+    QTest::qWait(0);
+
+    auto* noise = find<QComboBox>("noise");
+    for (int i = 0; i < noise->count(); ++i) {
+        noise->setCurrentIndex(i);
+        QStyleOptionComboBox option;
+        option.initFrom(noise);
+        const QRect text =
+            noise->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, noise);
+        const int needed = noise->fontMetrics().horizontalAdvance(noise->currentText());
+        QVERIFY2(
+            text.width() >= needed,
+            qPrintable(QStringLiteral("%1: %2 of %3 pixels").arg(noise->currentText()).arg(text.width()).arg(needed)));
+    }
+    for (const char* name : {"firstTilt", "lastTilt", "tiltStep", "firstBearing", "lastBearing", "bearingStep"}) {
+        auto* box = find<QDoubleSpinBox>(name);
+        box->setValue(box->minimum());
+        const auto* line = box->findChild<QLineEdit*>();
+        QVERIFY2(line->width() >= line->fontMetrics().horizontalAdvance(line->text()), name);
+    }
+    // Nothing reaches beyond the panel, whose contents scroll up and down only: it does not become too narrow.
+    QVERIFY(panel_->width() <= std::max(width, 285));
+    for (const QWidget* field : panel_->findChildren<QWidget*>()) {
+        const bool isField = qobject_cast<const QComboBox*>(field) != nullptr ||
+                             qobject_cast<const QDoubleSpinBox*>(field) != nullptr ||
+                             qobject_cast<const QPushButton*>(field) != nullptr;
+        if (isField && field->isVisible())
+            QVERIFY2(field->mapTo(panel_.get(), QPoint(field->width(), 0)).x() <= panel_->width(),
+                     qPrintable(field->objectName()));
+    }
 }
 
 void SourcePanelTest::aSetupIsShownAsItWasGiven()

@@ -3,6 +3,7 @@
 
 #include "ui/view3d/view3d.h"
 
+#include <QPainter>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -33,6 +34,9 @@ private slots:
     void hoveringNamesThePlane();
     void namedViewsLookWhereTheySay();
     void atRestAllPointsAreSeen();
+    void nothingIsWrittenUnderTheCorner_data();
+    void nothingIsWrittenUnderTheCorner();
+    void picturesOfTheViewHaveNoCorner();
 
 private:
     std::shared_ptr<const ShownMap> corridor_;
@@ -268,6 +272,70 @@ void View3dTest::atRestAllPointsAreSeen()
 
     // What is written over the view is not in it.
     QTRY_VERIFY(std::abs(inked(view_->presenter()->widget().grab().toImage()) - inked(whole)) < inked(whole) / 100);
+}
+
+/// Buttons of 230 × 28 pixels stand 10 from the corner of the view; its smallest is 310 × 270.
+void View3dTest::nothingIsWrittenUnderTheCorner_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<int>("chipTop");
+    QTest::newRow("room for all") << QSize(800, 600) << 12;
+    QTest::newRow("as small as it gets") << QSize(310, 270) << 38 + 6;
+    QTest::newRow("hardly any height") << QSize(310, 90) << 38 + 6;
+}
+
+void View3dTest::nothingIsWrittenUnderTheCorner()
+{
+    QFETCH(QSize, size);
+    QFETCH(int, chipTop);
+    LayerSettings layers;
+    layers.labels = false;
+    view_->setLayers(layers);
+    QVERIFY(view_->scene().legend(16).size() > 5);
+    OverlayContent content;
+    content.stateText = QStringLiteral("✔ Complete 137/137, 20 planes");
+    content.stateColour = Qt::darkGreen;
+    content.corner = QSize(240, 38);
+    QImage picture(size, QImage::Format_RGB32);
+    picture.fill(Qt::magenta);
+
+    QPainter painter(&picture);
+    paintOverlay(painter, size, view_->scene(), content);
+    painter.end();
+
+    const auto written = [&](const QRect& rect) {
+        int pixels = 0;
+        for (int y = rect.top(); y <= rect.bottom(); ++y) {
+            for (int x = rect.left(); x <= rect.right(); ++x)
+                pixels += picture.pixelColor(x, y) == QColor(Qt::magenta) ? 0 : 1;
+        }
+        return pixels;
+    };
+    QCOMPARE(written({size.width() - 240, 0, 240, 38}), 0);
+    // The chip begins where it is told to, and a legend that fits stands at the bottom right.
+    QCOMPARE(written({20, 0, 40, chipTop}), 0);
+    QVERIFY(written({20, chipTop, 40, 2}) > 70);
+    // Nothing but the chip's own words stands on it, which end before its right end.
+    const int right = 11 + QFontMetrics(QFont()).horizontalAdvance(content.stateText) + 24;
+    for (int y = chipTop + 4; y < chipTop + 16; ++y)
+        QCOMPARE(picture.pixelColor(right - 6, y), content.stateColour);
+    QCOMPARE(written({size.width() - 40, size.height() - 30, 20, 10}) > 0, size.height() > 100);
+}
+
+void View3dTest::picturesOfTheViewHaveNoCorner()
+{
+    OverlayContent content;
+    content.stateText = QStringLiteral("a chip that is much too wide to stand beside the buttons of this small view");
+    content.stateColour = Qt::darkGreen;
+    view_->setOverlay(content);
+    view_->keepCornerFree({240, 38});
+    QCOMPARE(view_->overlay().corner, QSize(240, 38));
+    view_->setOverlay(content);
+    QCOMPARE(view_->overlay().corner, QSize(240, 38));
+
+    const QImage picture = view_->picture({400, 300}, 1.0);
+
+    QCOMPARE(picture.pixelColor(20, 16), QColor(Qt::darkGreen));
 }
 
 }  // namespace planewright

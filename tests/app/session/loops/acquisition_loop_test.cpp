@@ -34,6 +34,7 @@ private slots:
     void aStopWhileItIsTriedAgainIsAnsweredAtOnce();
     void anInterruptedSourceIsNoFault();
     void aScannerThatLeftSlicesOutGivesAPartialScan();
+    void aRecordingThatLacksSlicesGivesAPartialScan();
     void whateverMovesComesToRestAtTheEnd();
     void whatWentWrongWithDevicesIsToldOnceASecondAndAtTheEnd();
     void whatLedToAFaultIsToldBeforeIt();
@@ -44,8 +45,8 @@ namespace {
 /// A loop with what it hands on and tells.
 struct Acquisition {
     explicit Acquisition(Recording recording, AutomaticRecovery automatic = {},
-                         FakeClock::Kind kind = FakeClock::Kind::Stands)
-        : clock(kind), source(std::move(recording)), recovery(automatic)
+                         FakeClock::Kind kind = FakeClock::Kind::Stands, bool live = true)
+        : clock(kind), source(std::move(recording), live), recovery(automatic)
     {
     }
 
@@ -60,23 +61,26 @@ struct Acquisition {
     std::atomic<int> recoveries{0};
     std::function<void()> onFault;
     std::vector<FaultRecord> records;
-    AcquisitionLoop loop{
-        source,
-        out,
-        clock,
-        {[this] { ++begun; },
-         [this](const Error& /*error*/) {
-             ++faults;
-             if (onFault)
-                 onFault();
-         },
-         [this](ScanOutcome /*outcome*/) { ++ended; },
-         [this](const Error& /*error*/, std::chrono::milliseconds wait) {
-             waits.push_back(wait);
-             ++recoveries;
-         },
-         [this](const std::vector<FaultRecord>& more) { records.insert(records.end(), more.begin(), more.end()); }},
-        recovery};
+    std::vector<std::string> ledTo;  ///< each time that some were told: the fault
+    AcquisitionLoop loop{source,
+                         out,
+                         clock,
+                         {[this] { ++begun; },
+                          [this](const Error& /*error*/) {
+                              ++faults;
+                              if (onFault)
+                                  onFault();
+                          },
+                          [this](ScanOutcome /*outcome*/) { ++ended; },
+                          [this](const Error& /*error*/, std::chrono::milliseconds wait) {
+                              waits.push_back(wait);
+                              ++recoveries;
+                          },
+                          [this](const std::vector<FaultRecord>& more, const Error* fault) {
+                              records.insert(records.end(), more.begin(), more.end());
+                              ledTo.push_back(fault == nullptr ? "" : fault->message);
+                          }},
+                         recovery};
 
     std::vector<AcquiredItem> items()
     {
@@ -339,6 +343,16 @@ void AcquisitionLoopTest::aScannerThatLeftSlicesOutGivesAPartialScan()
     QCOMPARE(acquisition.loop.lost(), 3);
 }
 
+void AcquisitionLoopTest::aRecordingThatLacksSlicesGivesAPartialScan()
+{
+    Acquisition acquisition{emptySlices(6), {}, FakeClock::Kind::Stands, false};
+    acquisition.source.planned = 9;
+
+    acquisition.loop.run();
+
+    QCOMPARE(std::get<ScanOutcome>(acquisition.items().back()), ScanOutcome::Partial);
+}
+
 void AcquisitionLoopTest::whateverMovesComesToRestAtTheEnd()
 {
     Acquisition acquisition{emptySlices(1)};
@@ -370,6 +384,7 @@ void AcquisitionLoopTest::whatWentWrongWithDevicesIsToldOnceASecondAndAtTheEnd()
         at.push_back(record.at);
     QCOMPARE(at, (std::vector<std::chrono::nanoseconds>{10'025ms, 11'025ms, 12'025ms, 12'525ms, 12'525ms}));
     QCOMPARE(acquisition.records.back().text, std::string{"5"});
+    QCOMPARE(acquisition.ledTo, std::vector<std::string>(5));
 }
 
 void AcquisitionLoopTest::whatLedToAFaultIsToldBeforeIt()
@@ -377,9 +392,11 @@ void AcquisitionLoopTest::whatLedToAFaultIsToldBeforeIt()
     Acquisition acquisition{emptySlices(3)};
     acquisition.source.onNext = failOnce;
     std::size_t toldBefore = 0;
+    std::string fault;
     acquisition.source.onTakeLog = [] { return std::vector<FaultRecord>{{1s, "laser-silent", "nothing came", ""}}; };
     acquisition.onFault = [&] {
         toldBefore = acquisition.records.size();
+        fault = acquisition.ledTo.back();
         acquisition.source.onTakeLog = {};
         acquisition.loop.retry();
     };
@@ -388,6 +405,8 @@ void AcquisitionLoopTest::whatLedToAFaultIsToldBeforeIt()
 
     QCOMPARE(acquisition.faults.load(), 1);
     QVERIFY(toldBefore >= 1);
+    QVERIFY(!fault.empty());
+    QCOMPARE(acquisition.ledTo.back(), fault);
     QCOMPARE(acquisition.records.back().code, std::string{"laser-silent"});
 }
 

@@ -21,6 +21,7 @@ private slots:
     void aRecorderThatFailsForAWhileLosesNothing();
     void aFileThatCannotBeMadeAtOnceIsMadeLater();
     void aDiskThatStaysAwayIsGivenUpAfterSomeTries();
+    void whatIsLostIsCountedInSlices();
     void inAHurryTheFirstFailureIsTheLast();
     void withoutARecorderAllIsHandedOn();
     void aScanWithoutAnOutcomeIsPartial();
@@ -171,7 +172,22 @@ void RecordingLoopTest::aDiskThatStaysAwayIsGivenUpAfterSomeTries()
     QVERIFY(run.clock.now() >= (RecordingLoop::kLastTries - 1) * RecordingLoop::kRetryAfter);
     QVERIFY(!run.closed);
     QCOMPARE(run.closed.error().code, ErrorCode::NotWritten);
-    QVERIFY(run.closed.error().message.find("2 slices and notes") != std::string::npos);
+    QVERIFY(run.closed.error().message.ends_with("; 1 slice of this scan is not on the disk"));
+}
+
+void RecordingLoopTest::whatIsLostIsCountedInSlices()
+{
+    RecordingRun run;
+    run.scan->fails = true;
+    for (int step = 0; step < 3; ++step)
+        run.push(step);
+    run.in.push(ScanEvent{ScanEvent::Kind::Pause, {}, {}, {}});
+    run.in.push(ScanOutcome::Complete);
+
+    run.loop.run();
+
+    QVERIFY(!run.closed);
+    QVERIFY(run.closed.error().message.ends_with("; 3 slices of this scan are not on the disk"));
 }
 
 void RecordingLoopTest::inAHurryTheFirstFailureIsTheLast()

@@ -21,6 +21,7 @@
 #include "tests/app/session/loops/fakes.h"
 #include "tests/core/params/preset_parameters.h"
 #include "tests/devices/fake_clock.h"
+#include "tests/sanitized.h"
 #include "tests/test_program.h"
 
 namespace planewright {
@@ -294,7 +295,7 @@ void ScanPipelineTest::aSlowDiskLetsTheQueueGrowAndLosesNothing()
 void ScanPipelineTest::planesAreFinalSoonAfterTheLastSlice()
 {
     constexpr auto kBar = 5ms;
-    constexpr int kMargin = 10;
+    constexpr int kMargin = kIsSanitized ? 100 : 10;
     const AcquisitionSettings settings;
     const Recording recording = simulate(*makeScene("corridor", 7), settings, *simulationNoise("default"), 1).recording;
     QCOMPARE(recording.slices.size(), std::size_t(137));
