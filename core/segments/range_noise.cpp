@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "core/types/square.h"
 
@@ -18,7 +19,7 @@ constexpr std::size_t kFirstSamples = 192;
 constexpr std::int64_t kMuch = 2048;
 constexpr std::size_t kLaterSamples = 32;
 /// What was told counts like so many samples, at each of two ranges [m].
-constexpr double kToldSamples = 24.0;
+constexpr double kToldSamples = 8.0;
 constexpr std::array kToldRanges{2.0, 8.0};
 /// A sample where the bearing noise adds more than this share of the told variance tells nothing of the range noise.
 constexpr double kBearingShare = 0.25;
@@ -28,7 +29,10 @@ constexpr double kMedianSize = 0.6745;
 constexpr double kEdgeSigmas = 3.5;
 constexpr int kEdgeRounds = 4;
 /// The parts of the noise are at least this share of what was told, where ranges err by themselves.
-constexpr double kLeastShare = 0.5;
+constexpr double kLeastShare = 0.0625;
+/// The law of the noise is fitted so many times, and is weighed by itself.
+constexpr int kLawRounds = 4;
+constexpr double kSmallestVariance = 1e-12;  // [m²]
 
 constexpr int kLowestRange = -4;  // 1/16 m
 constexpr int kLowestSize = -16;
@@ -52,6 +56,48 @@ std::size_t octaveAbove(float x, int lowest, std::size_t count)
 double eighth(std::size_t i)
 {
     return std::ldexp(1.0 + static_cast<double>(i % 8) / 8.0, kLowestSize + static_cast<int>(i / 8));
+}
+
+/// What some samples at a squared range [m²] tell of the variance there [m²].
+struct VarianceAtRange {
+    double samples;
+    double squaredRange;
+    double variance;
+};
+
+/// σ² = constant + proportional ρ².
+struct VarianceLaw {
+    double constant;      // [m²]
+    double proportional;  // [m² per m²]
+};
+
+/// Least squares for the law, no part of it below the least. The variance of a variance that n samples tell is in
+/// proportion to its square over n; which square is told by the law found before.
+VarianceLaw lawOf(std::span<const VarianceAtRange> evidence, const VarianceLaw& before, const VarianceLaw& least)
+{
+    double sum = 0.0;
+    double sumR = 0.0;
+    double sumRr = 0.0;
+    double sumS = 0.0;
+    double sumRs = 0.0;
+    for (const auto& [samples, r, s] : evidence) {
+        const double weight = samples / square(std::max(kSmallestVariance, before.constant + before.proportional * r));
+        sum += weight;
+        sumR += weight * r;
+        sumRr += weight * r * r;
+        sumS += weight * s;
+        sumRs += weight * r * s;
+    }
+    double proportional = (sum * sumRs - sumR * sumS) / (sum * sumRr - sumR * sumR);
+    double constant = (sumS - proportional * sumR) / sum;
+    if (proportional < least.proportional) {
+        proportional = least.proportional;
+        constant = (sumS - proportional * sumR) / sum;
+    } else if (constant < least.constant) {
+        constant = least.constant;
+        proportional = (sumRs - constant * sumR) / sumRr;
+    }
+    return {std::max(constant, least.constant), std::max(proportional, least.proportional)};
 }
 
 }  // namespace
@@ -111,44 +157,23 @@ double RangeNoise::sigmaOf(const Octave& octave)
 
 NoiseParameters RangeNoise::estimate(const NoiseParameters& told) const
 {
-    // Least squares for σ² = constant² + proportional² ρ², each octave weighed by what its count tells.
-    double sum = 0.0;
-    double sumR = 0.0;
-    double sumRr = 0.0;
-    double sumS = 0.0;
-    double sumRs = 0.0;
-    const auto take = [&](double samples, double r, double s) {
-        const double weight =
-            samples / square(std::max(1e-12, square(told.rangeConstant) + square(told.rangeProportional) * r));
-        sum += weight;
-        sumR += weight * r;
-        sumRr += weight * r * r;
-        sumS += weight * s;
-        sumRs += weight * r * s;
-    };
+    std::array<VarianceAtRange, kRanges + kToldRanges.size()> evidence;
+    std::size_t count = 0;
     for (const double range : kToldRanges)
-        take(kToldSamples, range * range, told.rangeVariance(range));
+        evidence[count++] = {kToldSamples, range * range, told.rangeVariance(range)};
     for (const Octave& octave : octaves_) {
-        if (octave.samples == 0)
-            continue;
         const auto samples = static_cast<double>(octave.samples);
-        take(samples, octave.squaredRanges / samples, square(sigmaOf(octave)));
+        if (octave.samples > 0)
+            evidence[count++] = {samples, octave.squaredRanges / samples, square(sigmaOf(octave))};
     }
-    const double leastShare = told.systematic > 0.0 ? 1.0 : kLeastShare;
-    const double leastConstant = square(leastShare * told.rangeConstant);
-    const double leastProportional = square(leastShare * told.rangeProportional);
-    double proportional = (sum * sumRs - sumR * sumS) / (sum * sumRr - sumR * sumR);
-    double constant = (sumS - proportional * sumR) / sum;
-    if (proportional < leastProportional) {
-        proportional = leastProportional;
-        constant = (sumS - proportional * sumR) / sum;
-    } else if (constant < leastConstant) {
-        constant = leastConstant;
-        proportional = (sumRs - constant * sumR) / sumRr;
-    }
+    const double leastShare = square(told.systematic > 0.0 ? 1.0 : kLeastShare);
+    const VarianceLaw least{leastShare * square(told.rangeConstant), leastShare * square(told.rangeProportional)};
+    VarianceLaw law{square(told.rangeConstant), square(told.rangeProportional)};
+    for (int round = 0; round < kLawRounds; ++round)
+        law = lawOf(std::span(evidence).first(count), law, least);
     NoiseParameters found = told;
-    found.rangeConstant = std::sqrt(std::max(constant, leastConstant));
-    found.rangeProportional = std::sqrt(std::max(proportional, leastProportional));
+    found.rangeConstant = std::sqrt(law.constant);
+    found.rangeProportional = std::sqrt(law.proportional);
     return found;
 }
 
