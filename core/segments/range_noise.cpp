@@ -19,10 +19,12 @@ constexpr std::size_t kFirstSamples = 192;
 constexpr std::int64_t kMuch = 2048;
 constexpr std::size_t kLaterSamples = 32;
 /// What was told counts like so many samples, at each of two ranges [m].
-constexpr double kToldSamples = 8.0;
+constexpr double kToldSamples = 24.0;
 constexpr std::array kToldRanges{2.0, 8.0};
 /// A sample where the bearing noise adds more than this share of the told variance tells nothing of the range noise.
 constexpr double kBearingShare = 0.25;
+/// However little noise is told, samples are taken as if it were so many times the range.
+constexpr double kLeastTold = 1e-3;
 /// The median of a normal deviate's size, in standard deviations.
 constexpr double kMedianSize = 0.6745;
 /// Sizes beyond so many standard deviations are edges.
@@ -63,6 +65,7 @@ struct VarianceAtRange {
     double samples;
     double squaredRange;
     double variance;
+    double least;  ///< as which it is weighed at least [m²]
 };
 
 /// σ² = constant + proportional ρ².
@@ -71,17 +74,17 @@ struct VarianceLaw {
     double proportional;  // [m² per m²]
 };
 
-/// Least squares for the law, no part of it below the least. The variance of a variance that n samples tell is in
+/// Least squares for the law, no part of it below the lowest. The variance of a variance that n samples tell is in
 /// proportion to its square over n; which square is told by the law found before.
-VarianceLaw lawOf(std::span<const VarianceAtRange> evidence, const VarianceLaw& before, const VarianceLaw& least)
+VarianceLaw lawOf(std::span<const VarianceAtRange> evidence, const VarianceLaw& before, const VarianceLaw& lowest)
 {
     double sum = 0.0;
     double sumR = 0.0;
     double sumRr = 0.0;
     double sumS = 0.0;
     double sumRs = 0.0;
-    for (const auto& [samples, r, s] : evidence) {
-        const double weight = samples / square(std::max(kSmallestVariance, before.constant + before.proportional * r));
+    for (const auto& [samples, r, s, least] : evidence) {
+        const double weight = samples / square(std::max(least, before.constant + before.proportional * r));
         sum += weight;
         sumR += weight * r;
         sumRr += weight * r * r;
@@ -90,14 +93,14 @@ VarianceLaw lawOf(std::span<const VarianceAtRange> evidence, const VarianceLaw& 
     }
     double proportional = (sum * sumRs - sumR * sumS) / (sum * sumRr - sumR * sumR);
     double constant = (sumS - proportional * sumR) / sum;
-    if (proportional < least.proportional) {
-        proportional = least.proportional;
+    if (proportional < lowest.proportional) {
+        proportional = lowest.proportional;
         constant = (sumS - proportional * sumR) / sum;
-    } else if (constant < least.constant) {
-        constant = least.constant;
+    } else if (constant < lowest.constant) {
+        constant = lowest.constant;
         proportional = (sumRs - constant * sumR) / sumRr;
     }
-    return {std::max(constant, least.constant), std::max(proportional, least.proportional)};
+    return {std::max(constant, lowest.constant), std::max(proportional, lowest.proportional)};
 }
 
 }  // namespace
@@ -121,7 +124,8 @@ void RangeNoise::add(const ScanSlice& slice, const SensorModel& sensor, const No
         const double least = std::min(std::min(before, range), after);
         const double most = std::max(std::max(before, range), after);
         if (!((least >= nearest) & (most <= farthest) &
-              (square(after - before) * perBeam <= kBearingShare * told.rangeVariance(range))))
+              (square(after - before) * perBeam <=
+               kBearingShare * std::max(told.rangeVariance(range), square(kLeastTold * range)))))
             continue;
         const double residual = range * (range * (before + after) / (before * after) - cosine) / root;
         Octave& octave = octaves_[octaveAbove(static_cast<float>(range), kLowestRange, kRanges)];
@@ -159,12 +163,15 @@ NoiseParameters RangeNoise::estimate(const NoiseParameters& told) const
 {
     std::array<VarianceAtRange, kRanges + kToldRanges.size()> evidence;
     std::size_t count = 0;
-    for (const double range : kToldRanges)
-        evidence[count++] = {kToldSamples, range * range, told.rangeVariance(range)};
+    for (const double range : kToldRanges) {
+        // Weighed by itself where the scanner is better, so that it fades there as well.
+        const double variance = std::max(kSmallestVariance, told.rangeVariance(range));
+        evidence[count++] = {kToldSamples, range * range, variance, variance};
+    }
     for (const Octave& octave : octaves_) {
         const auto samples = static_cast<double>(octave.samples);
         if (octave.samples > 0)
-            evidence[count++] = {samples, octave.squaredRanges / samples, square(sigmaOf(octave))};
+            evidence[count++] = {samples, octave.squaredRanges / samples, square(sigmaOf(octave)), kSmallestVariance};
     }
     const double leastShare = square(told.systematic > 0.0 ? 1.0 : kLeastShare);
     const VarianceLaw least{leastShare * square(told.rangeConstant), leastShare * square(told.rangeProportional)};
