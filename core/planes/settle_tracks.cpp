@@ -17,13 +17,6 @@ namespace {
 constexpr double kContent = 2.0;
 /// Mean squared residual of a straight segment at most, beside its scatter: sensors are noisier than told.
 constexpr double kStraightChi = 2.0;
-
-/// Planes of fewer segments do not tell their surface's form.
-constexpr std::size_t kTellsForm = 8;
-/// Squares of flat surfaces are less than so many times those of the noise, by their mean or their median.
-constexpr double kUneven = 4.0;
-/// The median of a χ² with two degrees of freedom.
-constexpr double kMedianChi = 1.386;
 /// However coarse the scan, a plane has so many points.
 constexpr double kFewestPoints = 12.0;
 /// Planes that are nearer to where they were linearised [rad] are good enough to tell which segments fit.
@@ -139,19 +132,6 @@ std::vector<double> chisOfMembers(TrackMap& map, const Parameters& parameters)
     return all;
 }
 
-/// How far the plane's segments are off it by the middle one of them, in squares that noise alone would give: a few bad
-/// segments do not count, while a curved surface has hardly any that fits.
-double unevenness(PlaneTrack& plane, TrackMap& map, const Parameters& parameters)
-{
-    if (plane.members.size() < kTellsForm || meanErrorOf(plane) <= kUneven)
-        return 0.0;
-    std::vector<double> chis(plane.members.size());
-    plane.estimate.residualChis(map.together(plane.members), parameters.noise, 0.5 * parameters.flatnessFloor(), chis);
-    const auto middle = chis.begin() + static_cast<std::ptrdiff_t>(chis.size() / 2);
-    std::nth_element(chis.begin(), middle, chis.end());
-    return *middle / kMedianChi;
-}
-
 }  // namespace
 
 void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
@@ -256,7 +236,6 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
              Comparison::LessEqual, parameters.likelihood.largestReducedChi(freedomOfMembers(plane))},
             {"normal_sigma", std::sqrt(std::max(1.0, meanErrorOf(plane)) * plane.estimate.normalVariance()),
              Comparison::LessEqual, parameters.planes.maxNormalSigma},
-            {"unevenness", unevenness(plane, map, parameters), Comparison::LessEqual, kUneven},
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
             {"incidence", map.meanIncidence(plane), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };

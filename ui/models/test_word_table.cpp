@@ -115,9 +115,6 @@ std::span<const TestWords> allTestWords()
                   "Whether the segment fits a plane that it faces; then no other is asked."},
         TestWords{"normal_variance", Any, "σ of n", Variance, Keys{"likelihood.known-angle", ""},
                   "How well the plane's normal is known: its standard deviation."},
-        TestWords{"unevenness", Any, "uneven", Plain, Keys{},
-                  "How far the middle one of the plane's segments is off it, in squares that noise alone would give: a "
-                  "curved surface has hardly a segment that fits."},
         TestWords{"place_sigma", Any, "σ there", Metre, Keys{},
                   "How well the plane tells where it is at the segment, as a standard deviation; the limit is what the "
                   "segment itself tells."},

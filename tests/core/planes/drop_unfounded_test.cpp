@@ -25,8 +25,6 @@ private slots:
     void aPlaneExplainsItsSegments();
     void aPlaneOfManySegmentsNeedNotExplainThem();
     void aPlaneKnowsItsNormal();
-    void aPlaneIsNotUneven_data();
-    void aPlaneIsNotUneven();
     void aPlaneIsOfStraightSegments_data();
     void aPlaneIsOfStraightSegments();
     void aPlaneIsMetAtMoreThanAGrazingAngle_data();
@@ -147,7 +145,7 @@ void DropUnfoundedTest::aPlaneOfManySegmentsNeedNotExplainThem()
 {
     for (const int slices : {60, 61}) {
         OneWall wall(slices, kWall, degrees(60.0), degrees(1.0));
-        for (SegmentNumber number = 0; number < slices; number += 3)
+        for (SegmentNumber number = 0; number < slices; ++number)
             disturb(wall.segment(number), number % 2 == 0 ? 0.02 : -0.02, 0.0);
         wall.make(kWall);
 
@@ -165,32 +163,6 @@ void DropUnfoundedTest::aPlaneKnowsItsNormal()
 
     QVERIFY(wall.droppedFor().empty());
     QVERIFY((strict.droppedFor() == Names{"normal_sigma"}));
-}
-
-void DropUnfoundedTest::aPlaneIsNotUneven_data()
-{
-    QTest::addColumn<double>("off");
-    QTest::addColumn<int>("segments");
-    QTest::addColumn<bool>("dropped");
-
-    // 81 points with 9 mm of noise tell the wall's place to 1 mm. Half of the flatness, 1 mm, and 0.5 mm of pitch come
-    // to that: 4 mm are a square of 7, against 4 of 1.4; 1 mm is one of 0.4. Three of ten are not the middle one.
-    QTest::newRow("all by 4 mm to either side") << 0.004 << 10 << true;
-    QTest::newRow("all by 1 mm") << 0.001 << 10 << false;
-    QTest::newRow("three of ten by 4 mm") << 0.004 << 3 << false;
-}
-
-void DropUnfoundedTest::aPlaneIsNotUneven()
-{
-    QFETCH(const double, off);
-    QFETCH(const int, segments);
-    QFETCH(const bool, dropped);
-    OneWall wall(10);
-    for (SegmentNumber number = 0; number < segments; ++number)
-        wall.segment(number).v += number % 2 == 0 ? off : -off;
-    wall.make(kWall);
-
-    QVERIFY(wall.droppedFor() == (dropped ? Names{"unevenness"} : Names{}));
 }
 
 void DropUnfoundedTest::aPlaneIsOfStraightSegments_data()
