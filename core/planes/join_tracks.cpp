@@ -87,11 +87,13 @@ bool turnsParallel(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const
 
 /// Whether a plane tells where a segment that it does not face must be: as well as the segment itself does. Where it
 /// does not, any segment fits, and it is the segment that would tell the plane's direction; then rooms must have planes
-/// of that direction: the lintels of two doors are level, while the jambs of opposite doors are no plane.
+/// of that direction: the lintels of two doors are level, while the jambs of opposite doors are no plane. Where ranges
+/// err together, variances do not tell that.
 bool tellsPlaceOf(SegmentNumber number, double variance, PlaneTrack& plane, const Eigen::Vector3d& centroid,
                   TrackMap& map, const Parameters& parameters)
 {
-    return plane.estimate.varianceAt(centroid) < variance || turnsParallel(plane, number, map, parameters);
+    return parameters.noise.systematic > 0.0 || plane.estimate.varianceAt(centroid) < variance ||
+           turnsParallel(plane, number, map, parameters);
 }
 
 /// A plane that is known well and was seen lately may be joined without facing it: across a door, behind a pillar.
@@ -198,7 +200,7 @@ std::vector<Conditions> waysIntoTrack(SegmentNumber number, PlaneTrack& plane, T
     const double variance = mostVariance(segment.statistics, centroid, parameters.noise, 0.5 * floor);
     const Test placed{"place_sigma", std::sqrt(plane.estimate.varianceAt(centroid)), Comparison::Less,
                       std::sqrt(variance)};
-    if (placed.pass() || !turnsParallel(plane, number, map, parameters))
+    if (parameters.noise.systematic <= 0.0 && (placed.pass() || !turnsParallel(plane, number, map, parameters)))
         afar.push_back(placed);
     askFit(number, plane, 0.5 * floor, parameters.likelihood.apartGate, known, map, parameters, afar);
     if (isElsewhere)

@@ -24,7 +24,7 @@ constexpr std::array kToldRanges{2.0, 8.0};
 /// A sample where the bearing noise adds more than this share of the told variance tells nothing of the range noise.
 constexpr double kBearingShare = 0.25;
 /// However little noise is told, samples are taken as if it were so many times the range.
-constexpr double kLeastTold = 1e-3;
+constexpr double kLeastTold = 1e-4;
 /// The median of a normal deviate's size, in standard deviations.
 constexpr double kMedianSize = 0.6745;
 /// Sizes beyond so many standard deviations are edges.
@@ -176,7 +176,9 @@ NoiseParameters RangeNoise::estimate(const NoiseParameters& told) const
     const double leastShare = square(told.systematic > 0.0 ? 1.0 : kLeastShare);
     const VarianceLaw least{leastShare * square(told.rangeConstant), leastShare * square(told.rangeProportional)};
     VarianceLaw law{square(told.rangeConstant), square(told.rangeProportional)};
-    for (int round = 0; round < kLawRounds; ++round)
+    // Where ranges err together this residual sees too little, most of all nearby: what was told tells what counts.
+    const int rounds = told.systematic > 0.0 ? 1 : kLawRounds;
+    for (int round = 0; round < rounds; ++round)
         law = lawOf(std::span(evidence).first(count), law, least);
     NoiseParameters found = told;
     found.rangeConstant = std::sqrt(law.constant);

@@ -313,10 +313,12 @@ void StraightPieces::settleBorder(LinePiece& left, LinePiece& right, const Noise
     }
 }
 
-/// Whether the variance of a point across the line is about the same all along a piece: beside the foot of a long wall
-/// it is many times that of its middle.
+/// Whether one variance tells how all points of a piece stray: that across the line is about the same all along, while
+/// beside the foot of a long wall it is many times that of its middle, and no ranges err together, which is no step.
 bool StraightPieces::hasOneVariance(const LinePiece& piece, const NoiseParameters& noise) const
 {
+    if (noise.systematic > 0.0)
+        return false;
     const auto isEven = [&](int i) {
         return varianceAcross(piece.line.normalU(), piece.line.normalV(), points_->u(i), points_->v(i), noise) <
                kEvenVariance * piece.variance;
