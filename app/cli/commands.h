@@ -21,6 +21,7 @@ void addSimulateCommand(CLI::App& program, Command& chosen);
 void addRecordCommand(CLI::App& program, Command& chosen);
 void addEmulateCommand(CLI::App& program, Command& chosen);
 void addDevicesCommand(CLI::App& program, Command& chosen);
+void addMapCommand(CLI::App& program, Command& chosen);
 void addConvertCommand(CLI::App& program, Command& chosen);
 void addInfoCommand(CLI::App& program, Command& chosen);
 void addValidateCommand(CLI::App& program, Command& chosen);

@@ -17,11 +17,11 @@
 #include "app/cli/parameter_options.h"
 #include "app/cli/plane_table.h"
 #include "app/cli/recording_file.h"
+#include "app/cli/stored_scan.h"
 #include "app/files/file_kind.h"
 #include "app/files/scan_results.h"
 #include "core/formats/history.h"
 #include "core/geometry/correct_recording.h"
-#include "core/pipeline/apply_edits.h"
 #include "core/segments/noise_doubt.h"
 #include "core/types/angle_text.h"
 
@@ -40,8 +40,22 @@ struct ExtractOptions {
     int repeats = 1;
     bool noEdits = false;
     bool overwrite = false;
+    bool skipExisting = false;
     ParameterOptions parameters;
 };
+
+/// True where every output is there already: all appear together, each when it is complete.
+bool isDone(const ExtractOptions& options)
+{
+    std::vector<std::string> outputs = options.planes;
+    for (const std::string* path : {&options.segments, &options.points, &options.labels, &options.history,
+                                    &options.stats, &options.floorPlan, &options.report}) {
+        if (!path->empty())
+            outputs.push_back(*path);
+    }
+    return !outputs.empty() &&
+           std::ranges::all_of(outputs, [](const std::string& path) { return std::filesystem::is_regular_file(path); });
+}
 
 /// An opened output and what goes there.
 struct PlannedOutput {
@@ -98,37 +112,6 @@ Result<void> keepUntil(Recording& recording, int until)
     return {};
 }
 
-/// What the scan was extracted with while it ran, as far as the command line does not say otherwise.
-Result<std::vector<ParametersFrom>> parametersOverSteps(const RecordingFile& input, std::string_view scanner,
-                                                        const ExtractOptions& options)
-{
-    std::vector<ParametersFrom> stored;
-    if (input.notes && options.parameters.preset.empty()) {
-        auto read = readParameterEvents(input.notes->events, options.input);
-        if (!read)
-            return read;
-        stored = std::move(*read);
-        // As if the scan had ended there; the first set is in force from the beginning, whatever its step.
-        if (options.until >= 0 && !stored.empty())
-            stored.erase(std::find_if(stored.begin() + 1, stored.end(),
-                                      [&](const ParametersFrom& from) { return from.step > options.until; }),
-                         stored.end());
-    }
-    return parametersInForce(options.parameters, scanner, std::move(stored));
-}
-
-/// Makes the planes what the operator sees; an edit that cannot be applied is told.
-void edit(ScanResults& extraction, const std::vector<Edit>& edits, const std::string& path)
-{
-    const EditedPlanes edited =
-        applyEdits(*extraction.snapshot, edits, extraction.recording.description, extraction.parameters);
-    const std::string place = path + ": ";
-    for (const std::string& problem : edited.problems)
-        printWarning(place + problem);
-    extraction.snapshot = std::make_shared<const Snapshot>(withPlanes(*extraction.snapshot, edited));
-    extraction.planes = planeResults(edited.planes, extraction.snapshot->segments);
-}
-
 /// Tells where ranges scatter by far more than the method takes for true.
 void tellDoubtOfNoise(const Recording& recording, const NoiseParameters& told, const std::string& path)
 {
@@ -144,7 +127,9 @@ void tellDoubtOfNoise(const Recording& recording, const NoiseParameters& told, c
 
 Result<ExitCode> extract(const ExtractOptions& options)
 {
-    OutputFiles files{options.overwrite};
+    if (options.skipExisting && isDone(options))
+        return ExitCode::Done;
+    OutputFiles files{options.overwrite || options.skipExisting};
     files.protect(options.input);
     OutputPlan plan{files};
     for (const std::string& path : options.planes)
@@ -177,7 +162,8 @@ Result<ExitCode> extract(const ExtractOptions& options)
     extraction.recording = std::move(input->recording);
     if (const auto kept = keepUntil(extraction.recording, options.until); !kept)
         return tl::unexpected{kept.error()};
-    const auto parameters = parametersOverSteps(*input, extraction.recording.description.scanner, options);
+    const auto parameters = parametersOverSteps(*input, extraction.recording.description.scanner, options.input,
+                                                options.until, options.parameters);
     if (!parameters)
         return tl::unexpected{parameters.error()};
     extraction.parameters = parameters->back().parameters;
@@ -200,8 +186,7 @@ Result<ExitCode> extract(const ExtractOptions& options)
         return tl::unexpected{result.error()};
     extraction.snapshot = result->snapshot;
     stats = result->stats;
-    edit(extraction, input->notes && !options.noEdits ? editsInForce(input->notes->edits) : std::vector<Edit>{},
-         options.input);
+    applyStoredEdits(extraction, *input, options.noEdits, options.input);
     if (!options.labels.empty() || !options.points.empty())
         addLabels(extraction);
 
@@ -245,6 +230,8 @@ void addExtractCommand(CLI::App& program, Command& chosen)
     addWholeNumber(command, "--until", options->until, 0, kMaxStep,
                    "last step to use (counted from 0), as if the scan had ended there");
     addWholeNumber(command, "--repeat", options->repeats, 1, 10000, "runs; times are medians over them");
+    command.add_flag("--skip-existing", options->skipExisting,
+                     "do nothing where all outputs are there; where some are missing, write all");
     command.add_flag("--overwrite", options->overwrite, "replace output files that exist");
     addParameterOptions(command, options->parameters);
     command.callback([options, &chosen] { chosen = [options] { return extract(*options); }; });

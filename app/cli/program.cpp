@@ -54,8 +54,8 @@ ExitCode runProgram(int argc, char** argv)
     program.require_subcommand(1);
     Command command;
     for (const auto add : {addExtractCommand, addCalibrateCommand, addSimulateCommand, addRecordCommand,
-                           addEmulateCommand, addDevicesCommand, addConvertCommand, addInfoCommand, addValidateCommand,
-                           addCompareCommand, addParamsCommand})
+                           addEmulateCommand, addDevicesCommand, addMapCommand, addConvertCommand, addInfoCommand,
+                           addValidateCommand, addCompareCommand, addParamsCommand})
         add(program, command);
     refuseEmptyValues(program);
     Result<ExitCode> code = ExitCode::Done;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -9,77 +8,22 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/angle_range.h"
 #include "app/cli/commands.h"
 #include "app/cli/number_option.h"
 #include "app/cli/output_files.h"
 #include "app/cli/progress.h"
 #include "app/cli/recording_file.h"
+#include "app/cli/simulate_building.h"
+#include "app/cli/simulate_options.h"
 #include "app/cli/text.h"
-#include "app/cli/tilt_options.h"
 #include "app/files/file_kind.h"
 #include "core/formats/labels.h"
 #include "core/formats/planes_csv.h"
-#include "core/formats/recording_csv.h"
 #include "core/simulation/nodding_scanner.h"
 
 namespace planewright {
 
 namespace {
-
-struct SimulateOptions {
-    std::string scene;
-    std::string output, truth, truthLabels;
-    std::uint64_t seed = 1;
-    std::string noise = "default";
-    double dropout = -1.0;  ///< the profile's
-    std::string tilt, bearing;
-    int slices = 0;  ///< as --tilt says
-    bool overwrite = false;
-};
-
-Result<AcquisitionSettings> settingsOf(const SimulateOptions& options)
-{
-    AcquisitionSettings settings;  // Table VIII
-    if (const auto tilt = takeTilt(options.tilt, options.slices, settings); !tilt)
-        return tl::unexpected{tilt.error()};
-    if (!options.bearing.empty()) {
-        const auto range = parseAngleRange("--bearing", options.bearing, RangeEnd::Closed, kMaxBeams);
-        if (!range)
-            return tl::unexpected{range.error()};
-        if (range->step < 0.0)
-            return fail(ErrorCode::Usage, "--bearing: '" + options.bearing + "' goes down; bearings rise from beam 0");
-        settings.firstBearing = range->first;
-        settings.bearingStep = range->step;
-        settings.beams = range->count;
-    }
-    if (static_cast<std::size_t>(settings.slices) * static_cast<std::size_t>(settings.beams) > kMaxRanges)
-        return fail(ErrorCode::Usage, "--tilt, --slices and --bearing give more than " + std::to_string(kMaxRanges) +
-                                          " points; give fewer");
-    return settings;
-}
-
-Result<SimulationNoise> noiseOf(const SimulateOptions& options)
-{
-    Result<SimulationNoise> noise = simulationNoise(options.noise);
-    if (noise && options.dropout >= 0.0)
-        noise->dropout = options.dropout / 100.0;
-    return noise;
-}
-
-SimulatedScan scan(const Scene& scene, const AcquisitionSettings& settings, const SimulationNoise& noise,
-                   std::uint64_t seed)
-{
-    SimulatedScan scan{{describeScan(settings), {}}, {}};
-    Progress progress("simulating, slice");
-    for (int step = 0; step < settings.slices; ++step) {
-        SimulatedSlice slice = simulateSlice(scene, settings, noise, seed, step);
-        scan.recording.slices.push_back(std::move(slice.slice));
-        scan.labels.push_back(std::move(slice.labels));
-        progress.show(static_cast<std::size_t>(step) + 1, static_cast<std::size_t>(settings.slices));
-    }
-    return scan;
-}
 
 std::vector<PlaneResult> truthOf(const Scene& scene, const SimulatedScan& scan)
 {
@@ -96,6 +40,8 @@ std::vector<PlaneResult> truthOf(const Scene& scene, const SimulatedScan& scan)
 
 Result<ExitCode> simulateScene(const SimulateOptions& options)
 {
+    if (!options.truthPoses.empty() || options.stops > 0)
+        return fail(ErrorCode::Usage, "--stops, --floors and --truth-poses are for the scene 'building' alone");
     const Result<Scene> scene = makeScene(options.scene, options.seed);
     if (!scene)
         return tl::unexpected{scene.error()};
@@ -126,7 +72,10 @@ Result<ExitCode> simulateScene(const SimulateOptions& options)
         outputs.push_back(*file);
     }
 
-    const SimulatedScan scanned = scan(*scene, *settings, *noise, options.seed);
+    Progress progress("simulating, slice");
+    const SimulatedScan scanned = simulatedScan(*scene, *settings, *noise, options.seed, [&](int slices) {
+        progress.show(static_cast<std::size_t>(slices), static_cast<std::size_t>(settings->slices));
+    });
     Result<void> written =
         outputs[0]->write([&](std::ostream& out) { return writeRecording(out, scanned.recording, *suffix); });
     if (written && outputs[1] != nullptr)
@@ -146,7 +95,8 @@ void addSimulateCommand(CLI::App& program, Command& chosen)
 {
     CLI::App& command = *program.add_subcommand("simulate", "a recording of a room whose planes are known");
     auto options = std::make_shared<SimulateOptions>();
-    command.add_option("SCENE", options->scene, joined(sceneNames()))->required();
+    command.add_option("SCENE", options->scene, joined(sceneNames()) + ", or building: several stops on its floors")
+        ->required();
     command.add_option("-o", options->output, "recording to write (.csv, .csv.gz or .pwscan)")
         ->type_name("FILE")
         ->required();
@@ -166,8 +116,19 @@ void addSimulateCommand(CLI::App& program, Command& chosen)
     addWholeNumber(command, "--slices", options->slices, 1, kMaxSlices, "number of slices, whatever --tilt says");
     command.add_option("--bearing", options->bearing, "bearings in degrees (default 0:180:0.25, 721 beams)")
         ->type_name("A:B:STEP");
+    addWholeNumber(command, "--floors", options->floors, 1, kMostFloors, "floors of a building (default 4)");
+    addWholeNumber(command, "--stops", options->stops, 1, kMostStops,
+                   "stops in a building (default 17 a floor, two more in all where there are four)");
+    command
+        .add_option("--truth-poses", options->truthPoses,
+                    "where the stops of a building are, in the frame of the first (TUM format)")
+        ->type_name("FILE");
     command.add_flag("--overwrite", options->overwrite, "replace output files that exist");
-    command.callback([options, &chosen] { chosen = [options] { return simulateScene(*options); }; });
+    command.callback([options, &chosen] {
+        chosen = [options] {
+            return options->scene == kBuildingScene ? simulateBuilding(*options) : simulateScene(*options);
+        };
+    });
 }
 
 }  // namespace planewright

@@ -57,6 +57,14 @@ void appendPart(std::string& text, const Outline::Polygon& part)
     text += ')';
 }
 
+std::string stopsText(const std::vector<int>& stops)
+{
+    std::string text;
+    for (const int stop : stops)
+        text += (text.empty() ? "" : " ") + std::to_string(stop);
+    return text;
+}
+
 }  // namespace
 
 bool hasCovariance(const Plane& plane)
@@ -133,6 +141,8 @@ std::vector<PlaneCell> planeCells(const PlaneResult& result)
     cells.push_back({"polygon_wkt", PlaneCell::Kind::Polygon, wellKnownText(outline)});
     text("name", result.name);
     text("class", result.className);
+    if (!result.stops.empty())
+        cells.push_back({"stops", PlaneCell::Kind::List, stopsText(result.stops)});
     return cells;
 }
 

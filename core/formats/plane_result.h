@@ -19,9 +19,10 @@ namespace planewright {
 /// A plane with what files and tables say about it.
 struct PlaneResult {
     std::shared_ptr<const Plane> plane;
-    Outline outline;        ///< without parts where it is not known
-    std::string name;       ///< given by the user; empty if none
-    std::string className;  ///< floor, ceiling, wall, …; empty if none
+    Outline outline;              ///< without parts where it is not known
+    std::string name;             ///< given by the user; empty if none
+    std::string className;        ///< floor, ceiling, wall, …; empty if none
+    std::vector<int> stops = {};  ///< of a map: the stops that saw it, from 0
 };
 
 /// The planes of a snapshot in order of id, each with its outline.

@@ -14,7 +14,8 @@
 
 namespace planewright {
 
-/// Writes planes as CSV, `planewright-planes 1`: one row a plane, what is unknown is left empty. Errors: NotWritten.
+/// Writes planes as CSV, `planewright-planes 1`: one row a plane, what is unknown is left empty;
+/// planes of a map have a last column `stops`. Errors: NotWritten.
 Result<void> writePlanesCsv(std::ostream& out, std::span<const PlaneResult> planes);
 
 /// Reads the planes of a planes CSV, plain or compressed with gzip.

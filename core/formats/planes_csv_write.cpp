@@ -12,9 +12,11 @@ namespace planewright {
 
 Result<void> writePlanesCsv(std::ostream& out, std::span<const PlaneResult> planes)
 {
+    const bool ofMap = !planes.empty() && !planes.front().stops.empty();
     out << "# format = planewright-planes 1\n";
     out << "id,nx,ny,nz,d,segments,points,error,rms_m,area_m2,width_m,height_m,cx,cy,cz,sigma_normal_deg,sigma_d_m,"
-           "born_step,changed_step,lineage,polygon_wkt,name,class\n";
+           "born_step,changed_step,lineage,polygon_wkt,name,class";
+    out << (ofMap ? ",stops\n" : "\n");
     std::string row;
     for (const PlaneResult& plane : planes) {
         row.clear();

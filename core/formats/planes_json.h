@@ -27,4 +27,9 @@ Result<void> writePlanesJson(std::ostream& out, std::span<const PlaneResult> pla
 /// Errors (Unreadable) name file and place; limits as parseStrictJson.
 Result<std::vector<PlaneRecord>> readPlanesJson(std::istream& in, const std::string& fileName);
 
+/// Reads the planes of a planes JSON with all that a map needs of them: covariance, tangents and outline, where the
+/// file has them. Errors (Unreadable) as above, and for a covariance that is not symmetric, tangents that do not lie
+/// in the plane, and rings that are not closed or leave it by more than a centimetre.
+Result<std::vector<PlaneResult>> readPlaneResultsJson(std::istream& in, const std::string& fileName);
+
 }  // namespace planewright

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <ostream>
 
 #include "core/formats/json_text.h"
@@ -74,6 +75,13 @@ void appendCovariance(std::string& text, const Plane& plane)
     text += ']';
 }
 
+/// `[1,2,3]` of numbers with blanks between.
+void appendList(std::string& text, std::string numbers)
+{
+    std::ranges::replace(numbers, ' ', ',');
+    text += '[' + numbers + ']';
+}
+
 void appendPlane(std::string& text, const PlaneResult& plane)
 {
     char before = '{';
@@ -86,6 +94,8 @@ void appendPlane(std::string& text, const PlaneResult& plane)
             appendPolygon(text, plane.outline);
         else if (cell.text.empty())
             text += "null";
+        else if (cell.kind == PlaneCell::Kind::List)
+            appendList(text, cell.text);
         else if (cell.kind == PlaneCell::Kind::Text)
             appendJsonText(text, cell.text);
         else

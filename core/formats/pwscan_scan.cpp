@@ -76,12 +76,12 @@ private:
         if (!right && problem.empty())
             problem = std::string{name} + " " + what;
     }
-    std::optional<ScanPose> pose();
+    std::optional<Pose> pose();
 
     const SqlStatement& row_;
 };
 
-std::optional<ScanPose> ScanRow::pose()
+std::optional<Pose> ScanRow::pose()
 {
     std::array<double, 7> values{};
     for (int i = 0; i < 7; ++i) {
@@ -91,7 +91,7 @@ std::optional<ScanPose> ScanRow::pose()
     }
     const Eigen::Quaterniond orientation{values[3], values[4], values[5], values[6]};
     expect(std::abs(orientation.norm() - 1.0) < 1e-3, "the pose", "has no unit quaternion");
-    return ScanPose{{values[0], values[1], values[2]}, orientation};
+    return Pose{orientation.normalized(), {values[0], values[1], values[2]}};
 }
 
 ScanRecord ScanRow::read(const std::string& place)
@@ -160,8 +160,8 @@ Result<int> insertScan(SqlDatabase& database, const ScanRecord& scan)
         .bind(scan.plannedSlices ? std::optional<std::int64_t>{*scan.plannedSlices} : std::nullopt)
         .bind(extra);
     if (scan.pose) {
-        const Eigen::Vector3d& p = scan.pose->position;
-        const Eigen::Quaterniond& q = scan.pose->orientation;
+        const Eigen::Vector3d& p = scan.pose->translation;
+        const Eigen::Quaterniond& q = scan.pose->rotation;
         for (const double value : {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()})
             insert->bind(value);
     }

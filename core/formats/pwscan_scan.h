@@ -8,10 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include "core/formats/problem_list.h"
+#include "core/geometry/pose.h"
 #include "core/types/error.h"
 #include "core/types/recording.h"
 
@@ -20,12 +18,6 @@ namespace planewright {
 /// What became of a scan. One that is running where nobody records was broken off, and its slices are all there.
 enum class ScanState { Running, Complete, Partial, Fault };
 std::string_view name(ScanState state);
-
-/// Where the scanner stood, by odometry.
-struct ScanPose {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
-    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-};
 
 /// One scan of a `.pwscan`, without its slices.
 struct ScanRecord {
@@ -36,7 +28,7 @@ struct ScanRecord {
     ScanState state = ScanState::Running;
     ScanDescription description;
     std::optional<int> plannedSlices;
-    std::optional<ScanPose> pose;
+    std::optional<Pose> pose;  ///< by odometry, in a frame of its own
 };
 
 /// Most scans, and most events and edits, that are read from one file.

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -43,5 +45,16 @@ RecordingProblems pwscanProblems(const std::string& path);
 /// description is the recording's; the same recording gives the same bytes. Errors: NotWritten as writeRecordingCsv.
 Result<void> writeRecordingPwscan(std::ostream& out, const Recording& recording,
                                   const std::optional<ScanNotes>& notes = std::nullopt);
+
+/// A scan that is to be written.
+struct WrittenScan {
+    Recording recording;
+    ScanNotes notes;
+};
+
+/// Writes so many scans as the bytes of one `.pwscan`, in their order; each is asked for when it is its turn, and an
+/// error of it ends the writing. Otherwise as writeRecordingPwscan.
+Result<void> writeScansPwscan(std::ostream& out, std::size_t scans,
+                              const std::function<Result<WrittenScan>(std::size_t scan)>& scanOf);
 
 }  // namespace planewright

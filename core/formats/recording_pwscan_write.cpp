@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ostream>
+#include <utility>
 
 #include "core/formats/pwscan_schema.h"
 #include "core/formats/pwscan_slice.h"
@@ -33,10 +34,8 @@ Result<void> insertSlices(SqlDatabase& database, int scan, const Recording& reco
     return {};
 }
 
-Result<void> fill(SqlDatabase& database, const Recording& recording, ScanNotes notes)
+Result<void> insertRecording(SqlDatabase& database, const Recording& recording, ScanNotes notes)
 {
-    if (auto made = createPwscanSchema(database); !made)
-        return made;
     notes.scan.description = recording.description;
     const auto id = insertScan(database, notes.scan);
     if (!id)
@@ -60,22 +59,48 @@ ScanNotes notesOfCompleteScan()
     return notes;
 }
 
-}  // namespace
-
-Result<void> writeRecordingPwscan(std::ostream& out, const Recording& recording, const std::optional<ScanNotes>& notes)
+/// The bytes of a recording that `fill` fills.
+Result<void> writeDatabase(std::ostream& out, const std::function<Result<void>(SqlDatabase&)>& fill)
 {
     auto database = SqlDatabase::openInMemory("the recording");
     if (!database)
         return tl::unexpected{database.error()};
-    if (auto filled =
-            database->inTransaction([&] { return fill(*database, recording, notes.value_or(notesOfCompleteScan())); });
-        !filled)
+    const auto filled = database->inTransaction([&]() -> Result<void> {
+        if (auto made = createPwscanSchema(*database); !made)
+            return made;
+        return fill(*database);
+    });
+    if (!filled)
         return filled;
     const std::string bytes = database->bytes();
     if (bytes.empty())
         return fail(ErrorCode::NotWritten, "out of memory; close other programs");
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return written(out);
+}
+
+}  // namespace
+
+Result<void> writeRecordingPwscan(std::ostream& out, const Recording& recording, const std::optional<ScanNotes>& notes)
+{
+    return writeDatabase(out, [&](SqlDatabase& database) {
+        return insertRecording(database, recording, notes.value_or(notesOfCompleteScan()));
+    });
+}
+
+Result<void> writeScansPwscan(std::ostream& out, std::size_t scans,
+                              const std::function<Result<WrittenScan>(std::size_t scan)>& scanOf)
+{
+    return writeDatabase(out, [&](SqlDatabase& database) -> Result<void> {
+        for (std::size_t i = 0; i < scans; ++i) {
+            auto scan = scanOf(i);
+            if (!scan)
+                return tl::unexpected{scan.error()};
+            if (auto inserted = insertRecording(database, scan->recording, std::move(scan->notes)); !inserted)
+                return inserted;
+        }
+        return {};
+    });
 }
 
 }  // namespace planewright

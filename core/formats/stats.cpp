@@ -17,12 +17,12 @@ namespace {
 /// One JSON object as it grows.
 class ObjectText {
 public:
-    void add(std::string_view key, std::string_view json)
+    void add(std::string_view key, std::string_view value)
     {
         text_ += text_.empty() ? "{\"" : ",\"";
         text_ += key;
         text_ += "\":";
-        text_ += json;
+        text_ += value;
     }
     void add(std::string_view key, std::int64_t value) { add(key, std::to_string(value)); }
     void add(std::string_view key, double value)

@@ -21,6 +21,8 @@ constexpr double kLetterWidth = 7.5;
 constexpr double kRim = 2.0;            // between a text and the edge of the picture [px]
 constexpr double kClosestLines = 20.0;  // of the grid [px]
 
+constexpr double kMillimetresPerPixel = 25.4 / 96.0;  // of CSS
+
 /// Whether a byte of UTF-8 is the first of a letter.
 bool beginsLetter(char byte)
 {
@@ -105,6 +107,14 @@ SvgDrawing::SvgDrawing(const Eigen::Vector2d& lowest, const Eigen::Vector2d& hig
     constexpr double kLeastSize = 0.01;  // [m]
     const Eigen::Vector2d size = (highest - lowest).cwiseMax(kLeastSize);
     scale_ = std::min((width - 2.0 * kMargin) / size.x(), (height - 2.0 * kMargin - kBelow) / size.y());
+}
+
+SvgDrawing SvgDrawing::atScale(const Eigen::Vector2d& lowest, const Eigen::Vector2d& highest, double denominator)
+{
+    SvgDrawing drawing{lowest, highest, 0.0, 0.0};
+    drawing.scale_ = 1e3 / (kMillimetresPerPixel * denominator);
+    drawing.isToScale_ = true;
+    return drawing;
 }
 
 Eigen::Vector2d SvgDrawing::toPicture(const Eigen::Vector2d& point) const
@@ -193,13 +203,17 @@ Eigen::Vector2d SvgDrawing::size() const
     return {std::max(size.x(), leastWidth_), size.y()};
 }
 
-std::string SvgDrawing::take(std::string_view title) &&
+std::string SvgDrawing::take(std::string_view title, std::string_view styles) &&
 {
     const Eigen::Vector2d picture = size();
     const std::string words = markupText(title);
+    const auto length = [this](double value) {
+        return isToScale_ ? fixedText(kMillimetresPerPixel * value, 3) + "mm" : pixels(value);
+    };
+    const std::string style = styles.empty() ? std::string{} : "<style>" + std::string{styles} + "</style>\n";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixels(picture.x()) + " " +
-           pixels(picture.y()) + "\" width=\"" + pixels(picture.x()) + "\" height=\"" + pixels(picture.y()) +
-           "\" role=\"img\" aria-label=\"" + words + "\">\n<title>" + words + "</title>\n" + std::move(body_) +
+           pixels(picture.y()) + "\" width=\"" + length(picture.x()) + "\" height=\"" + length(picture.y()) +
+           "\" role=\"img\" aria-label=\"" + words + "\">\n<title>" + words + "</title>\n" + style + std::move(body_) +
            "</svg>\n";
 }
 

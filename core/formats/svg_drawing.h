@@ -23,6 +23,9 @@ public:
     /// Of what lies between two corners [m], as large as fits `width` × `height` pixels.
     SvgDrawing(const Eigen::Vector2d& lowest, const Eigen::Vector2d& highest, double width, double height);
 
+    /// Of what lies between two corners, so many times smaller: printed, it is of that size.
+    static SvgDrawing atScale(const Eigen::Vector2d& lowest, const Eigen::Vector2d& highest, double denominator);
+
     double pixelsPerMetre() const { return scale_; }
 
     /// An area with its holes, by the even-odd rule.
@@ -38,8 +41,8 @@ public:
     /// a picture that is too narrow for the bar becomes wider.
     void grid();
 
-    /// The whole drawing, with what it shows for those who do not see it.
-    std::string take(std::string_view title) &&;
+    /// The whole drawing, with what it shows for those who do not see it, and, where it stands alone, its styles (CSS).
+    std::string take(std::string_view title, std::string_view styles = {}) &&;
 
 private:
     Eigen::Vector2d toPicture(const Eigen::Vector2d& point) const;
@@ -55,6 +58,7 @@ private:
     Eigen::Vector2d highest_;
     double scale_ = 1.0;
     double leastWidth_ = 0.0;  // [px]
+    bool isToScale_ = false;
     std::string body_;
     std::vector<Box> labels_;
 };

@@ -19,12 +19,19 @@ constexpr double kLeastShare = 1e-6;
 
 AxisStrength axisStrength(std::span<const std::shared_ptr<const Plane>> planes)
 {
-    AxisStrength strength;
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     for (const auto& plane : planes) {
         const double variance = plane->covariance(2, 2);
         if (variance > 0.0 && std::isfinite(variance))
-            strength.information += plane->normal * plane->normal.transpose() / variance;
+            information += plane->normal * plane->normal.transpose() / variance;
     }
+    return strengthOf(information);
+}
+
+AxisStrength strengthOf(const Eigen::Matrix3d& information)
+{
+    AxisStrength strength;
+    strength.information = information;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved{strength.information};
     const Eigen::Vector3d known = solved.eigenvalues();
     const auto isKnown = [&](int which) { return known[which] > 0.0 && known[which] > kLeastShare * known[2]; };

@@ -26,6 +26,9 @@ struct AxisStrength {
     std::optional<double> weakestSigma;                 ///< of a shift along it [m]; empty where no plane tells
 };
 
+/// Of what is known of a shift [1/m²], or of a turn [1/rad²] about the axes: symmetric, none of it below zero.
+AxisStrength strengthOf(const Eigen::Matrix3d& information);
+
 /// Of planes with a covariance; those without one tell nothing here.
 AxisStrength axisStrength(std::span<const std::shared_ptr<const Plane>> planes);
 

@@ -201,4 +201,32 @@ Outline outlineOf(const Plane& plane, const SegmentLog& log)
     return outline;
 }
 
+Outline outlineOf(const std::vector<Outline::Polygon>& parts, const Eigen::Vector3d& normal, double distance)
+{
+    const PlaneFrame frame(normal, distance, Eigen::Vector3d::UnitZ().cross(normal));
+    const auto planar = [&frame](const Ring& ring, bool isHole) {
+        PlanarRing flat;
+        for (const Eigen::Vector3d& corner : ring)
+            flat.push_back(frame.toPlane(corner));
+        if ((signedArea(flat) < 0.0) != isHole)
+            std::ranges::reverse(flat);
+        return flat;
+    };
+    std::vector<PlanarPolygon> polygons;
+    PlanarRing corners;
+    for (const Outline::Polygon& part : parts) {
+        PlanarPolygon& polygon = polygons.emplace_back(planar(part.ring, false));
+        for (const Ring& hole : part.holes)
+            polygon.holes.push_back(planar(hole, true));
+        corners.insert(corners.end(), polygon.ring.begin(), polygon.ring.end());
+    }
+    Outline outline;
+    if (corners.empty())
+        return outline;
+    outline.parts = canonicalParts(polygons, frame);
+    measureArea(polygons, corners, frame, outline);
+    measureSides(polygons, corners, frame, outline);
+    return outline;
+}
+
 }  // namespace planewright

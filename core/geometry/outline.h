@@ -43,4 +43,7 @@ struct Outline {
 /// `log` is the one that the plane's segments belong to. A plane without segments gives an empty outline.
 Outline outlineOf(const Plane& plane, const SegmentLog& log);
 
+/// The outline of parts that lie on the plane n·p = d, measured in the same way.
+Outline outlineOf(const std::vector<Outline::Polygon>& parts, const Eigen::Vector3d& normal, double distance);
+
 }  // namespace planewright

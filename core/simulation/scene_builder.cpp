@@ -152,20 +152,29 @@ void SceneBuilder::pole(const Eigen::Vector3d& base, const Eigen::Vector3d& axis
 
 Scene SceneBuilder::build(const SensorPose& pose) const
 {
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(-pose.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    return seenFrom(pose.position, Eigen::AngleAxisd(-pose.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix());
+}
+
+Scene SceneBuilder::buildAt(const Pose& pose) const
+{
+    return seenFrom(pose.translation, pose.rotation.conjugate().toRotationMatrix());
+}
+
+Scene SceneBuilder::seenFrom(const Eigen::Vector3d& position, const Eigen::Matrix3d& turn) const
+{
     Scene scene = room_;
     for (RectangleSurface& r : scene.rectangles) {
-        r.corner = turn * (r.corner - pose.position);
+        r.corner = turn * (r.corner - position);
         r.edgeU = turn * r.edgeU;
         r.edgeV = turn * r.edgeV;
     }
     for (CylinderSurface& c : scene.cylinders) {
-        c.base = turn * (c.base - pose.position);
+        c.base = turn * (c.base - position);
         c.axis = turn * c.axis;
         c.radius = turn * c.radius;
     }
     for (TruePlane& plane : scene.planes) {
-        plane.distance -= plane.normal.dot(pose.position);
+        plane.distance -= plane.normal.dot(position);
         plane.normal = turn * plane.normal;
         makeCanonical(plane.normal, plane.distance);
     }

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "core/geometry/pose.h"
 #include "core/simulation/scene.h"
 
 namespace planewright {
@@ -86,8 +87,11 @@ public:
 
     /// The room as a sensor in it sees it.
     Scene build(const SensorPose& pose) const;
+    Scene buildAt(const Pose& pose) const;
 
 private:
+    Scene seenFrom(const Eigen::Vector3d& position, const Eigen::Matrix3d& turn) const;
+
     Scene room_;
 };
 

@@ -12,6 +12,8 @@ function(planewright_headers target)
     add_library(${target} OBJECT "${PROJECT_BINARY_DIR}/${target}.cpp")
     target_link_libraries(${target} PRIVATE ${arg_LIBRARIES} project_options)
     target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
+    # Clang would refuse headers that a compiler cache gives back after the sources were checked out anew.
+    target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endfunction()
 
 # planewright_reuse_headers(<headers target> <target>...): these targets read the headers as they were compiled.

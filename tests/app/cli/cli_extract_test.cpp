@@ -28,6 +28,7 @@ private slots:
     void unknownKindOfOutputIsWrongUsage_data();
     void unknownKindOfOutputIsWrongUsage();
     void existingOutputIsKeptWithoutOverwrite();
+    void whatIsThereIsNotDoneAgain();
     void twoOutputsMayNotBeOneFile();
     void outputThatCannotBeWrittenLeavesNothing_data();
     void outputThatCannotBeWrittenLeavesNothing();
@@ -224,6 +225,25 @@ void CliExtractTest::existingOutputIsKeptWithoutOverwrite()
     QVERIFY(!QFile::exists(path("not-made")));
     QCOMPARE(done.code, 0);
     QVERIFY(bytesOf(path("kept.csv")).startsWith("# format"));
+}
+
+void CliExtractTest::whatIsThereIsNotDoneAgain()
+{
+    const QStringList options{"--planes", "once.csv", "--labels", "once.labels", "--skip-existing"};
+    QCOMPARE(extract(options).code, 0);
+    const QByteArray planes = bytesOf(path("once.csv"));
+    QVERIFY(planes.startsWith("# format"));
+
+    // All are there: nothing is even read.
+    writeBytes(path("once.csv"), "kept");
+    QCOMPARE(extract(options).code, 0);
+    QCOMPARE(bytesOf(path("once.csv")), QByteArray("kept"));
+
+    // One is missing: all are written.
+    QVERIFY(QFile::remove(path("once.labels")));
+    QCOMPARE(extract(options).code, 0);
+    QCOMPARE(bytesOf(path("once.csv")), planes);
+    QVERIFY(QFile::exists(path("once.labels")));
 }
 
 void CliExtractTest::twoOutputsMayNotBeOneFile()

@@ -20,7 +20,7 @@ using namespace planewright;
 
 namespace {
 
-std::string textOf(const std::vector<PlaneResult>& planes, std::string_view program = "planewright 0.1.0")
+std::string planesJsonText(const std::vector<PlaneResult>& planes, std::string_view program = "planewright 0.1.0")
 {
     std::ostringstream out;
     const auto done = writePlanesJson(out, planes, Parameters{}, program);
@@ -49,6 +49,10 @@ private slots:
     void writesTheSameInEveryLocale();
     void replacesBytesThatAreNoUtf8();
     void readsBackWhatWasWritten();
+    void readsBackAllThatAMapNeeds();
+    void aMapsPlanesTellTheirStops();
+    void refusesWhatIsNoPlaneOfAMap_data();
+    void refusesWhatIsNoPlaneOfAMap();
     void refusesWhatIsNoPlanesFile_data();
     void refusesWhatIsNoPlanesFile();
     void refusesDeepNesting();
@@ -59,7 +63,7 @@ private slots:
 
 void PlanesJsonTest::writesFormatProgramAndParameters()
 {
-    const QJsonObject object = parse(textOf({}));
+    const QJsonObject object = parse(planesJsonText({}));
 
     QCOMPARE(object["format"].toString(), QString("planewright-planes 1"));
     QCOMPARE(object["program"].toString(), QString("planewright 0.1.0"));
@@ -72,7 +76,7 @@ void PlanesJsonTest::writesFormatProgramAndParameters()
 
 void PlanesJsonTest::writesAPlaneALine()
 {
-    const std::string text = textOf({sampleCeiling(), sampleWall(), knownPlane(1, "", {0, 0, 1}, 2, 5)});
+    const std::string text = planesJsonText({sampleCeiling(), sampleWall(), knownPlane(1, "", {0, 0, 1}, 2, 5)});
     const QStringList lines = QString::fromStdString(text).split('\n');
 
     QCOMPARE(lines.size(), 6);
@@ -97,12 +101,12 @@ void PlanesJsonTest::writesAPlaneALine()
 
 void PlanesJsonTest::writesTheSameInEveryLocale()
 {
-    const std::string expected = textOf({sampleCeiling()});
+    const std::string expected = planesJsonText({sampleCeiling()});
     QVERIFY2(std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr,
              "the locale de_DE.UTF-8 is missing: install locales-all");
     const std::locale before = std::locale::global(std::locale("de_DE.UTF-8"));
 
-    const std::string german = textOf({sampleCeiling()});
+    const std::string german = planesJsonText({sampleCeiling()});
     const auto planes = readPlanesJsonText(german);
     std::locale::global(before);
 
@@ -112,7 +116,7 @@ void PlanesJsonTest::writesTheSameInEveryLocale()
 
 void PlanesJsonTest::replacesBytesThatAreNoUtf8()
 {
-    const QJsonObject object = parse(textOf({}, "pl\xFFne"));
+    const QJsonObject object = parse(planesJsonText({}, "pl\xFFne"));
 
     QCOMPARE(object["program"].toString(), QString::fromUtf8("pl\xEF\xBF\xBDne"));
 }
@@ -120,7 +124,7 @@ void PlanesJsonTest::replacesBytesThatAreNoUtf8()
 void PlanesJsonTest::readsBackWhatWasWritten()
 {
     const auto planes =
-        readPlanesJsonText(textOf({sampleCeiling(), sampleWall(), knownPlane(1, "east", {0, -1, 0}, 2, 5)}));
+        readPlanesJsonText(planesJsonText({sampleCeiling(), sampleWall(), knownPlane(1, "east", {0, -1, 0}, 2, 5)}));
 
     QVERIFY(planes.has_value());
     QCOMPARE(planes->size(), std::size_t(3));
@@ -133,6 +137,82 @@ void PlanesJsonTest::readsBackWhatWasWritten()
     QVERIFY(planes->at(1).className.empty());
     QCOMPARE(planes->at(2).normal, Eigen::Vector3d(0, -1, 0));
     QCOMPARE(planes->at(2).distance, 2.0);
+}
+
+void PlanesJsonTest::readsBackAllThatAMapNeeds()
+{
+    const PlaneResult ceiling = sampleCeiling();
+    const PlaneResult wall = sampleWall();
+    std::istringstream in(planesJsonText({ceiling, wall}));
+
+    const auto read = readPlaneResultsJson(in, "p.json");
+
+    QVERIFY2(read.has_value(), read ? "" : read.error().message.c_str());
+    const PlaneResult& first = read->at(0);
+    QCOMPARE(first.plane->id, 3);
+    QVERIFY(first.plane->covariance.isApprox(ceiling.plane->covariance, 1e-8));
+    QCOMPARE(first.plane->tangents, ceiling.plane->tangents);
+    QCOMPARE(first.plane->points, 60);
+    QCOMPARE(first.outline.parts.size(), std::size_t(1));
+    QCOMPARE(first.outline.parts[0].ring, ceiling.outline.parts[0].ring);
+    QCOMPARE(first.outline.parts[0].holes.size(), std::size_t(1));
+    QVERIFY(std::abs(first.outline.area - 11.0) < 1e-12);
+    QCOMPARE(first.className, std::string("ceiling"));
+    QCOMPARE(read->at(1).outline.parts.size(), std::size_t(2));
+    QVERIFY(read->at(1).plane->covariance.isZero(0.0));
+}
+
+void PlanesJsonTest::aMapsPlanesTellTheirStops()
+{
+    PlaneResult plane = sampleCeiling();
+    plane.stops = {0, 7, 12};
+
+    QVERIFY(planesJsonText({plane}).find("\"class\":\"ceiling\",\"stops\":[0,7,12],") != std::string::npos);
+}
+
+void PlanesJsonTest::refusesWhatIsNoPlaneOfAMap_data()
+{
+    QTest::addColumn<QByteArray>("rest");
+    QTest::addColumn<QByteArray>("message");
+    const QByteArray unit = R"("covariance":[[1,0,0],[0,1,0],[0,0,1]],"tangents":[[1,0,0],[0,1,0]])";
+    const auto row = [](const char* name, const QByteArray& rest, const char* message) {
+        QTest::newRow(name) << rest << QByteArray(message);
+    };
+    row("covariance", R"("covariance":7)", "'covariance' is no list of three rows; correct it");
+    row("no tangents", R"("covariance":[[1,0,0],[0,1,0],[0,0,1]])", "'tangents' is no list of two vectors; correct it");
+    row("row", R"("covariance":[[1,0,0],[0,1],[0,0,1]],"tangents":[[1,0,0],[0,1,0]])",
+        "'covariance' has a row that is no three numbers; correct it");
+    row("not symmetric", R"("covariance":[[1,0,0],[0.5,1,0],[0,0,1]],"tangents":[[1,0,0],[0,1,0]])",
+        "'covariance' is not symmetric; correct it");
+    row("tangent off the plane", R"("covariance":[[1,0,0],[0,1,0],[0,0,1]],"tangents":[[1,0,0],[0,0,1]])",
+        "'tangents' are no unit vectors in the plane; correct them");
+    row("tangents alike", R"("covariance":[[1,0,0],[0,1,0],[0,0,1]],"tangents":[[1,0,0],[1,0,0]])",
+        "'tangents' are not at right angles; correct them");
+    row("polygon", unit + R"(,"polygon":"none")", "'polygon' is no list of rings; correct it");
+    row("two corners", unit + R"(,"polygon":[[[0,0,2],[1,0,2],[0,0,2]]])",
+        "'polygon' has a ring of less than three corners; correct it");
+    row("corner", unit + R"(,"polygon":[[[0,0,2],[1,0],[1,1,2],[0,0,2]]])",
+        "'polygon' has a corner that is no three numbers; correct it");
+    row("off the plane", unit + R"(,"polygon":[[[0,0,2],[1,0,2.1],[1,1,2],[0,0,2]]])",
+        "'polygon' has a corner that is not in the plane; correct it");
+    row("open", unit + R"(,"polygon":[[[0,0,2],[1,0,2],[1,1,2],[0,1,2]]])",
+        "'polygon' has a ring that is not closed; correct it");
+    row("hole first", unit + R"(,"polygon":[[[0,0,2],[1,1,2],[1,0,2],[0,0,2]]])",
+        "'polygon' begins with a hole; correct it");
+}
+
+void PlanesJsonTest::refusesWhatIsNoPlaneOfAMap()
+{
+    QFETCH(QByteArray, rest);
+    QFETCH(QByteArray, message);
+    const QByteArray text =
+        R"({"format":"planewright-planes 1","planes":[{"id":1,"nx":0,"ny":0,"nz":1,"d":2,)" + rest + "}]}";
+    std::istringstream in(text.toStdString());
+
+    const auto read = readPlaneResultsJson(in, "p.json");
+
+    QVERIFY(!read.has_value());
+    QCOMPARE(QByteArray::fromStdString(read.error().message), "p.json: plane 0 of the list: " + message);
 }
 
 void PlanesJsonTest::refusesWhatIsNoPlanesFile_data()

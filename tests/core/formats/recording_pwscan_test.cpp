@@ -30,6 +30,8 @@ private slots:
     void aScanThatIsNotThereIsWrongUsage();
     void aRangeBeyondTheFormatIsNotWritten();
     void anotherNumberOfBeamsIsOurOwnFault();
+    void severalScansStandInOneFile();
+    void aScanThatCannotBeGivenEndsTheWriting();
     void aMissingFileIsSaidToBeMissing();
     void namesThatMeanSomethingToSqliteAreFiles();
 
@@ -141,7 +143,7 @@ void RecordingPwscanTest::eventsAndEditsComeWithTheScan()
     ScanNotes notes;
     notes.scan = sampleScanRecord(2, "hall");
     notes.scan.state = ScanState::Partial;
-    notes.scan.pose = ScanPose{{1.0, 2.0, 3.0}, {0.0, 0.0, 0.0, 1.0}};
+    notes.scan.pose = Pose{{0.0, 0.0, 0.0, 1.0}, {1.0, 2.0, 3.0}};
     notes.scan.plannedSlices = 137;
     Parameters parameters;
     parameters.planes.minSegments = 7;
@@ -156,8 +158,8 @@ void RecordingPwscanTest::eventsAndEditsComeWithTheScan()
     QCOMPARE(read->notes.scan.name, std::string("hall"));
     QVERIFY(read->notes.scan.state == ScanState::Partial);
     QCOMPARE(*read->notes.scan.plannedSlices, 137);
-    QCOMPARE(read->notes.scan.pose->position.z(), 3.0);
-    QCOMPARE(read->notes.scan.pose->orientation.z(), 1.0);
+    QCOMPARE(read->notes.scan.pose->translation.z(), 3.0);
+    QCOMPARE(read->notes.scan.pose->rotation.z(), 1.0);
     const auto changed = readParameterEvents(read->notes.events, "a.pwscan");
     QVERIFY(changed);
     QCOMPARE(changed->size(), std::size_t(1));
@@ -249,6 +251,46 @@ void RecordingPwscanTest::anotherNumberOfBeamsIsOurOwnFault()
 
     QVERIFY(!written);
     QVERIFY(written.error().code == ErrorCode::Internal);
+}
+
+void RecordingPwscanTest::severalScansStandInOneFile()
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.pwscan").toStdString();
+    std::ofstream out(path, std::ios::binary);
+    const auto scanOf = [](std::size_t number) -> Result<WrittenScan> {
+        WrittenScan scan{sampleRecording(2 + static_cast<int>(number), 3), {}};
+        scan.notes.scan.state = ScanState::Complete;
+        scan.notes.scan.name = "stop " + std::to_string(number);
+        scan.notes.scan.floor = static_cast<int>(number) / 2;
+        scan.notes.scan.pose = Pose{Eigen::Quaterniond::Identity(), {1.0 * static_cast<double>(number), 0.0, 0.0}};
+        return scan;
+    };
+
+    QVERIFY(writeScansPwscan(out, 3, scanOf));
+    out.close();
+
+    const auto scans = scansOfPwscan(path);
+    QVERIFY(scans);
+    QCOMPARE(scans->size(), std::size_t(3));
+    QCOMPARE(scans->at(2).id, 3);
+    QCOMPARE(scans->at(2).name, std::string("stop 2"));
+    QCOMPARE(scans->at(2).floor, 1);
+    QCOMPARE(scans->at(2).pose->translation.x(), 2.0);
+    QCOMPARE(readRecordingPwscan(path, 2)->read.recording.slices.size(), std::size_t(3));
+    QVERIFY(pwscanProblems(path).problems.empty());
+}
+
+void RecordingPwscanTest::aScanThatCannotBeGivenEndsTheWriting()
+{
+    std::ostringstream out;
+
+    const auto written = writeScansPwscan(
+        out, 2, [](std::size_t) -> Result<WrittenScan> { return fail(ErrorCode::Unreadable, "gone.csv: gone"); });
+
+    QVERIFY(!written);
+    QCOMPARE(written.error().message, std::string("gone.csv: gone"));
+    QVERIFY(out.str().empty());
 }
 
 void RecordingPwscanTest::aMissingFileIsSaidToBeMissing()

@@ -48,7 +48,30 @@ private slots:
     void widthIsTheMoreLevelSide();
     void widthOfALevelPlaneIsTheLongerSide();
     void aKilometreAwayStillWorks();
+    void partsAreMeasuredAsTheyAre();
 };
+
+/// 4 m × 3 m at x = 2 with a hole of 1 m², given clockwise, and a part of 1 m × 1 m beside it.
+void OutlineMeasuresTest::partsAreMeasuredAsTheyAre()
+{
+    const auto at = [](double y, double z) { return Eigen::Vector3d(2.0, y, z); };
+    const Outline::Polygon wall{{at(0.0, 3.0), at(4.0, 3.0), at(4.0, 0.0), at(0.0, 0.0)},
+                                {{at(1.0, 1.0), at(2.0, 1.0), at(2.0, 2.0), at(1.0, 2.0)}}};
+    const Outline::Polygon piece{{at(6.0, 0.0), at(7.0, 0.0), at(7.0, 1.0), at(6.0, 1.0)}, {}};
+
+    const Outline outline = outlineOf({wall, piece}, Eigen::Vector3d::UnitX(), 2.0);
+
+    QCOMPARE(outline.parts.size(), std::size_t(2));
+    QVERIFY(isClose(outline.area, 12.0 - 1.0 + 1.0, 1e-12));
+    // Moments: 12 · (2, 1.5) − 1 · (1.5, 1.5) + 1 · (6.5, 0.5), over 12.
+    QVERIFY((outline.centroid - at(29.0 / 12.0, 17.0 / 12.0)).norm() < 1e-12);
+    QVERIFY(isClose(outline.width, 7.0, 1e-12));
+    QVERIFY(isClose(outline.height, 3.0, 1e-12));
+    const Eigen::Vector3d a = outline.parts[0].ring[1] - outline.parts[0].ring[0];
+    const Eigen::Vector3d b = outline.parts[0].ring[2] - outline.parts[0].ring[1];
+    QVERIFY(a.cross(b).x() > 0.0);  // counter-clockwise seen from +n
+    QVERIFY(outlineOf({}, Eigen::Vector3d::UnitX(), 2.0).parts.empty());
+}
 
 void OutlineMeasuresTest::noSegmentsGiveAnEmptyOutline()
 {

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/mapping/match_jointly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+namespace planewright {
+
+namespace {
+
+using Choice = std::vector<std::optional<std::size_t>>;
+
+/// What is known of the pose's error after some pairs (Kalman 1960).
+struct PoseBelief {
+    Vector6d error = Vector6d::Zero();
+    Matrix6d covariance;
+
+    double chiSquare(const Matrix3x6d& jacobian, const MatchCandidate& candidate) const
+    {
+        const Eigen::Vector3d miss = candidate.apart - jacobian * error;
+        const Eigen::Matrix3d spread = jacobian * covariance * jacobian.transpose() + candidate.noise;
+        return miss.dot(spread.llt().solve(miss));
+    }
+
+    void add(const Matrix3x6d& jacobian, const MatchCandidate& candidate)
+    {
+        const Eigen::Vector3d miss = candidate.apart - jacobian * error;
+        const Matrix3x6d shared = jacobian * covariance;
+        const Eigen::Matrix3d spread = shared * jacobian.transpose() + candidate.noise;
+        const Eigen::Matrix<double, 6, 3> gain = spread.llt().solve(shared).transpose();
+        error += gain * miss;
+        covariance -= gain * shared;
+        covariance = (0.5 * (covariance + covariance.transpose())).eval();
+    }
+};
+
+/// A candidate that the pose so far allows.
+struct LiveCandidate {
+    std::size_t plane;
+    std::size_t candidate;
+    double chiSquare;
+};
+
+class JointSearch {
+public:
+    JointSearch(std::span<const MatchChoices> planes, const MatchLimits& limits) : planes_(planes), limits_(limits) {}
+
+    JointMatch run(const Matrix6d& poseCovariance)
+    {
+        std::vector<LiveCandidate> all;
+        for (std::size_t i = 0; i < planes_.size(); ++i) {
+            for (std::size_t c = 0; c < planes_[i].candidates.size(); ++c)
+                all.push_back({i, c, 0.0});
+        }
+        const PoseBelief start{Vector6d::Zero(), poseCovariance};
+        best_.chosen.resize(planes_.size());
+        best_.covariance = poseCovariance;
+        descend(start, stillLive(all, start), Choice(planes_.size()), 0, 0.0);
+        findRivals();
+        measureLooseness(poseCovariance);
+        best_.cutShort = nodes_ >= limits_.mostNodes;
+        return std::move(best_);
+    }
+
+private:
+    struct Leaf {
+        Choice chosen;
+        double chiSquare;
+    };
+
+    std::vector<LiveCandidate> stillLive(const std::vector<LiveCandidate>& before, const PoseBelief& belief) const
+    {
+        std::vector<LiveCandidate> live;
+        live.reserve(before.size());
+        for (LiveCandidate each : before) {
+            const MatchChoices& plane = planes_[each.plane];
+            each.chiSquare = belief.chiSquare(plane.jacobian, plane.candidates[each.candidate]);
+            if (each.chiSquare < limits_.gate)
+                live.push_back(each);
+        }
+        return live;
+    }
+
+    /// Where the candidates of the plane with the fewest begin, and how many planes there are. They lie side by side.
+    static std::pair<std::size_t, int> nextPlane(const std::vector<LiveCandidate>& live)
+    {
+        std::size_t chosen = 0;
+        std::size_t fewest = live.size() + 1;
+        int planes = 0;
+        for (std::size_t begin = 0; begin < live.size();) {
+            std::size_t end = begin;
+            while (end < live.size() && live[end].plane == live[begin].plane)
+                ++end;
+            if (end - begin < fewest) {
+                fewest = end - begin;
+                chosen = begin;
+            }
+            ++planes;
+            begin = end;
+        }
+        return {chosen, planes};
+    }
+
+    void descend(const PoseBelief& belief, std::vector<LiveCandidate> live, const Choice& chosen, int pairs,
+                 double chiSquare)
+    {
+        if (nodes_ >= limits_.mostNodes)
+            return;
+        ++nodes_;
+        const auto [begin, planes] = nextPlane(live);
+        if (pairs + planes < best_.pairs ||
+            (pairs + planes == best_.pairs && chiSquare > best_.chiSquare + limits_.rivalMargin))
+            return;
+        if (live.empty()) {
+            keep(belief, chosen, pairs, chiSquare);
+            return;
+        }
+        const std::size_t plane = live[begin].plane;
+        const auto mine =
+            std::ranges::partition_point(live.begin() + static_cast<std::ptrdiff_t>(begin), live.end(),
+                                         [plane](const LiveCandidate& each) { return each.plane == plane; });
+        std::vector<LiveCandidate> options(live.begin() + static_cast<std::ptrdiff_t>(begin), mine);
+        live.erase(live.begin() + static_cast<std::ptrdiff_t>(begin), mine);
+        std::ranges::stable_sort(options, {}, &LiveCandidate::chiSquare);
+        for (const LiveCandidate& option : options) {
+            const double sum = chiSquare + option.chiSquare;
+            if (sum > chiSquareLimit(3 * (pairs + 1)))
+                continue;
+            const MatchChoices& choices = planes_[plane];
+            PoseBelief next = belief;
+            next.add(choices.jacobian, choices.candidates[option.candidate]);
+            Choice with = chosen;
+            with[plane] = option.candidate;
+            descend(next, stillLive(live, next), with, pairs + 1, sum);
+        }
+        descend(belief, std::move(live), chosen, pairs, chiSquare);
+    }
+
+    void keep(const PoseBelief& belief, const Choice& chosen, int pairs, double chiSquare)
+    {
+        if (pairs > best_.pairs)
+            leaves_.clear();
+        leaves_.push_back({chosen, chiSquare});
+        if (pairs > best_.pairs || (pairs == best_.pairs && chiSquare < best_.chiSquare)) {
+            best_.chosen = chosen;
+            best_.pairs = pairs;
+            best_.chiSquare = chiSquare;
+            best_.error = belief.error;
+            best_.covariance = belief.covariance;
+        }
+    }
+
+    /// What other sets as good as the best choose, and what alone would fit in the place of a choice.
+    void findRivals()
+    {
+        best_.rivals.resize(planes_.size());
+        const PoseBelief belief{best_.error, best_.covariance};
+        for (std::size_t i = 0; i < planes_.size(); ++i) {
+            if (!best_.chosen[i])
+                continue;
+            const auto& candidates = planes_[i].candidates;
+            const double own = belief.chiSquare(planes_[i].jacobian, candidates[*best_.chosen[i]]);
+            for (std::size_t c = 0; c < candidates.size(); ++c) {
+                if (c == *best_.chosen[i])
+                    continue;
+                const double other = belief.chiSquare(planes_[i].jacobian, candidates[c]);
+                const bool fitsAlone = other < limits_.gate && other < own + limits_.rivalMargin;
+                const bool fitsInAnother = std::ranges::any_of(leaves_, [&](const Leaf& leaf) {
+                    return leaf.chosen[i] == c && leaf.chiSquare < best_.chiSquare + limits_.rivalMargin;
+                });
+                if (fitsAlone || fitsInAnother)
+                    best_.rivals[i].push_back(c);
+            }
+        }
+    }
+
+    void measureLooseness(const Matrix6d& poseCovariance)
+    {
+        const auto informationOf = [&](std::size_t i) {
+            const Matrix3x6d& jacobian = planes_[i].jacobian;
+            return Matrix6d(jacobian.transpose() * planes_[i].candidates[*best_.chosen[i]].noise.llt().solve(jacobian));
+        };
+        Matrix6d all = poseCovariance.llt().solve(Matrix6d::Identity());
+        for (std::size_t i = 0; i < planes_.size(); ++i) {
+            if (best_.chosen[i])
+                all += informationOf(i);
+        }
+        best_.looseness.resize(planes_.size());
+        for (std::size_t i = 0; i < planes_.size(); ++i) {
+            if (!best_.chosen[i])
+                continue;
+            const Eigen::Matrix<double, 1, 6> byPose = planes_[i].jacobian.row(2);
+            const Vector6d spread = (all - informationOf(i)).llt().solve(byPose.transpose());
+            best_.looseness[i] = std::sqrt(byPose.dot(spread) + planes_[i].candidates[*best_.chosen[i]].noise(2, 2));
+        }
+    }
+
+    std::span<const MatchChoices> planes_;
+    MatchLimits limits_;
+    JointMatch best_;
+    std::vector<Leaf> leaves_;  ///< sets of as many pairs as the best
+    int nodes_ = 0;
+};
+
+}  // namespace
+
+JointMatch matchJointly(std::span<const MatchChoices> planes, const Matrix6d& poseCovariance, const MatchLimits& limits)
+{
+    return JointSearch(planes, limits).run(poseCovariance);
+}
+
+}  // namespace planewright
