@@ -234,9 +234,10 @@ Result<ExitCode> runCalibration(const CalibrateOptions& options)
         damaged = damaged || read->damaged;
         recordings.push_back(std::move(read->recording));
         if (recordings.back().description.scanner != recordings.front().description.scanner)
-            printWarning(input + ": its scanner '" + recordings.back().description.scanner + "' is not the '" +
-                         recordings.front().description.scanner + "' of " + options.inputs.front() +
-                         "; all are calibrated as one scanner");
+            return fail(ErrorCode::Usage, input + ": its scanner '" + recordings.back().description.scanner +
+                                              "' is not the '" + recordings.front().description.scanner + "' of " +
+                                              options.inputs.front() +
+                                              ". Errors are those of one scanner: calibrate each with its own scans.");
     }
     Result<Parameters> parameters = parametersInForce(options.parameters, recordings.front().description.scanner);
     if (!parameters)

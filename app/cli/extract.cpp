@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@
 #include "app/files/scan_results.h"
 #include "core/formats/history.h"
 #include "core/geometry/correct_recording.h"
+#include "core/segments/noise_doubt.h"
+#include "core/types/angle_text.h"
 
 namespace planewright {
 
@@ -109,6 +112,19 @@ Result<void> keepUntil(Recording& recording, int until)
     return {};
 }
 
+/// Tells where ranges scatter by far more than the method takes for true.
+void tellDoubtOfNoise(const Recording& recording, const NoiseParameters& told, const std::string& path)
+{
+    const std::optional<NoiseDoubt> doubt = noiseDoubtOf(recording, told);
+    if (!doubt)
+        return;
+    const auto millimetres = [](double x) { return fixedText(1000.0 * x, 1) + " mm"; };
+    printWarning(path + ": ranges scatter by " + millimetres(doubt->found) + " at " + fixedText(doubt->range, 1) +
+                 " m, where " + millimetres(doubt->told) +
+                 " are told: planes may fall to pieces. Tell it (-P noise.range-constant=" +
+                 fixedText(doubt->found, 4) + "), or let --preset precise find it (-P noise.estimated=true)");
+}
+
 Result<ExitCode> extract(const ExtractOptions& options)
 {
     if (options.skipExisting && isDone(options))
@@ -152,6 +168,7 @@ Result<ExitCode> extract(const ExtractOptions& options)
         return tl::unexpected{parameters.error()};
     extraction.parameters = parameters->back().parameters;
     correctRecording(extraction.recording, parameters->front().parameters.sensor);
+    tellDoubtOfNoise(extraction.recording, parameters->front().parameters.noise, options.input);
 
     ExtractionPlan work{options.repeats, {}};
     if (history != nullptr) {

@@ -321,7 +321,11 @@ std::vector<Placement> placeByPlanes(std::span<const WeighedPlane> seen, std::sp
             continue;
         refined.push_back(trial.pose);
         auto placement = refine(trial, seen, known, meet);
-        const bool isNew = placement && std::ranges::none_of(placements, [&](const Placement& other) {
+        // What the planes of a trial leave open, others may fix out of reach.
+        const bool isInReach =
+            placement && (!search.about || (placement->pose.translation - search.about->translation).norm() <=
+                                               search.reach + kSamePlace);
+        const bool isNew = isInReach && std::ranges::none_of(placements, [&](const Placement& other) {
                                return isSamePlace(other.pose, placement->pose);
                            });
         if (isNew)

@@ -183,9 +183,10 @@ constexpr auto rowsOf(const PlaneParameters& /*part*/)
                   "",
                   "The shorter extent must span this angle at the plane's mean range at least, half of it where rays "
                   "meet the plane head-on."},
-        Parameter{"planes.max-normal-sigma", &PlaneParameters::maxNormalSigma, Unit::Angle,
-                  Range{degrees(0.01), degrees(45.0)}, "",
-                  "A new plane's normal must be known to this standard deviation."},
+        Parameter{
+            "planes.max-normal-sigma", &PlaneParameters::maxNormalSigma, Unit::Angle,
+            Range{degrees(0.01), degrees(45.0)}, "",
+            "A plane's normal must be known to this standard deviation; by likelihood, where noise.systematic is 0."},
         Parameter{"planes.min-incidence", &PlaneParameters::minIncidence, Unit::Angle, Range{0.0, degrees(45.0)}, "",
                   "Rays must meet a new plane at this angle on average; a slice's own plane is none."},
         Parameter{"planes.run-step", &PlaneParameters::runStep, Unit::Metre, Range{0.0, 1.0}, "",

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "core/planes/parallel_planes.h"
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 
@@ -14,6 +16,8 @@ namespace {
 
 /// Slices after which a plane that met no segment is out of sight.
 constexpr int kSightSlices = 8;
+/// χ² (2 degrees of freedom) up to which a plane counts as parallel to another: 99 %.
+constexpr double kSameDirection = 9.2;
 /// A χ² so small that no other plane needs to be looked at.
 constexpr double kCertain = 4.0;
 
@@ -71,6 +75,27 @@ bool isInSight(const PlaneTrack& plane, int place, const TrackMap& map)
     return slicesAway(plane, place, map) <= kSightSlices;
 }
 
+/// Whether a plane with a segment besides would be parallel to a plane that is known.
+bool turnsParallel(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const Parameters& parameters)
+{
+    PlaneEstimate joined = plane.estimate;
+    const SegmentStatistics* const one = &map.segment(number).statistics;
+    joined.accumulate(map.seenIn(plane, map.segment(number).slice), std::span{&one, 1}, parameters.noise,
+                      parameters.noise.systematic, 1.0);
+    return joined.solve() && parallelChi(joined, map, kParallel, plane.id) < kSameDirection;
+}
+
+/// Whether a plane tells where a segment that it does not face must be: as well as the segment itself does. Where it
+/// does not, any segment fits, and it is the segment that would tell the plane's direction; then rooms must have planes
+/// of that direction: the lintels of two doors are level, while the jambs of opposite doors are no plane. Where ranges
+/// err together, variances do not tell that.
+bool tellsPlaceOf(SegmentNumber number, double variance, PlaneTrack& plane, const Eigen::Vector3d& centroid,
+                  TrackMap& map, const Parameters& parameters)
+{
+    return parameters.noise.systematic > 0.0 || plane.estimate.varianceAt(centroid) < variance ||
+           turnsParallel(plane, number, map, parameters);
+}
+
 /// A plane that is known well and was seen lately may be joined without facing it: across a door, behind a pillar.
 void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parameters, JoinCandidate& best)
 {
@@ -82,8 +107,12 @@ void considerKnown(SegmentNumber number, TrackMap& map, const Parameters& parame
     const double variance = mostVariance(map.segment(number).statistics, centroid, parameters.noise, floor);
     for (PlaneTrack& plane : map.planes()) {
         if (!map.holds(plane, map.segment(number).left) && plane.estimate.normalVariance() < known &&
-            plane.estimate.mayMeet(centroid, variance, gate) && isInSight(plane, place, map))
-            consider(plane, number, map, parameters, floor, gate, best);
+            plane.estimate.mayMeet(centroid, variance, gate) && isInSight(plane, place, map)) {
+            JoinCandidate better = best;
+            consider(plane, number, map, parameters, floor, gate, better);
+            if (better.plane != best.plane && tellsPlaceOf(number, variance, plane, centroid, map, parameters))
+                best = better;
+        }
     }
 }
 
@@ -167,6 +196,12 @@ std::vector<Conditions> waysIntoTrack(SegmentNumber number, PlaneTrack& plane, T
     afar.push_back({"normal_variance", plane.estimate.normalVariance(), Comparison::Less, knownAngle * knownAngle});
     afar.push_back({"slices_away", static_cast<double>(slicesAway(plane, segment.slice, map)), Comparison::LessEqual,
                     static_cast<double>(kSightSlices)});
+    const Eigen::Vector3d centroid = map.centroid(number);
+    const double variance = mostVariance(segment.statistics, centroid, parameters.noise, 0.5 * floor);
+    const Test placed{"place_sigma", std::sqrt(plane.estimate.varianceAt(centroid)), Comparison::Less,
+                      std::sqrt(variance)};
+    if (parameters.noise.systematic <= 0.0 && (placed.pass() || !turnsParallel(plane, number, map, parameters)))
+        afar.push_back(placed);
     askFit(number, plane, 0.5 * floor, parameters.likelihood.apartGate, known, map, parameters, afar);
     if (isElsewhere)
         ways.push_back(wayToMove(number, plane, map, parameters));

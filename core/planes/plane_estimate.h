@@ -94,6 +94,13 @@ public:
     double chi() const { return chi_ + 2.0 * gradient_.dot(step_) + step_.dot(information_ * step_); }
     /// Largest variance of the normal [rad²].
     double normalVariance() const { return normalVariance_; }
+    /// Variance of the plane's distance to a point in space [m] [m²]: large where the plane goes on far from what told
+    /// it.
+    double varianceAt(const Eigen::Vector3d& point) const
+    {
+        const Eigen::Vector3d row{tangents_.col(0).dot(point), tangents_.col(1).dot(point), -1.0};
+        return row.dot(covariance_ * row);
+    }
     /// How far the estimate is from where it was linearised [rad].
     double angleFromLinearisation() const { return step_.head<2>().norm(); }
 

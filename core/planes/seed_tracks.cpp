@@ -10,6 +10,7 @@
 
 #include "core/planes/fit_segments.h"
 #include "core/planes/grow_track.h"
+#include "core/planes/parallel_planes.h"
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 #include "core/types/angle.h"
@@ -38,9 +39,6 @@ constexpr int kTurningSlices = 20;
 /// Points that a pair of segments must have, or fewer where they fill this angle [rad].
 constexpr double kPairPoints = 40.0;
 constexpr double kPairAngle = degrees(10.0);
-/// Planes of rooms are parallel to this angle [rad]; χ² of a pair that is parallel to none.
-constexpr double kParallel = degrees(0.5);
-constexpr double kNoParallel = 13.8;
 
 struct Hypothesis {
     std::array<SegmentNumber, 3> segments{};
@@ -164,22 +162,6 @@ struct PairHypothesis {
     PlaneEstimate estimate;
 };
 
-double parallelChi(const PlaneEstimate& estimate, const TrackMap& map, const Parameters& parameters)
-{
-    const double known = parameters.likelihood.knownAngle * parameters.likelihood.knownAngle;
-    double least = kNoParallel;
-    for (const PlaneTrack& plane : map.planes()) {
-        const double variance = plane.estimate.normalVariance();
-        if (plane.ofPair || variance >= known)
-            continue;
-        const Eigen::Vector2d apart = estimate.tangents().transpose() * plane.estimate.normal();
-        const Eigen::Matrix2d covariance = estimate.covariance().topLeftCorner<2, 2>() +
-                                           (variance + kParallel * kParallel) * Eigen::Matrix2d::Identity();
-        least = std::min(least, apart.dot(covariance.inverse() * apart));
-    }
-    return least;
-}
-
 void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parameters,
              std::vector<PairHypothesis>& hypotheses)
 {
@@ -200,7 +182,7 @@ void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parame
         if (hypothesis.chi >= parameters.likelihood.joinGate ||
             !surelyMet(number, hypothesis.estimate, map, parameters))
             return;
-        hypothesis.parallelChi = parallelChi(hypothesis.estimate, map, parameters);
+        hypothesis.parallelChi = parallelChi(hypothesis.estimate, map, parameters.likelihood.knownAngle);
         hypotheses.push_back(hypothesis);
     });
 }

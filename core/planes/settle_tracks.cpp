@@ -17,7 +17,6 @@ namespace {
 constexpr double kContent = 2.0;
 /// Mean squared residual of a straight segment at most, beside its scatter: sensors are noisier than told.
 constexpr double kStraightChi = 2.0;
-
 /// However coarse the scan, a plane has so many points.
 constexpr double kFewestPoints = 12.0;
 /// Planes that are nearer to where they were linearised [rad] are good enough to tell which segments fit.
@@ -226,7 +225,7 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
             continue;
         const Strip strip = stripOf(plane, map);
         const bool narrow = strip.width < p.stripWidth && strip.freeShare > p.stripShare;
-        const std::vector<Test> tests{
+        std::vector<Test> tests{
             {"points", static_cast<double>(plane.points), Comparison::GreaterEqual, minPoints},
             {"segments", static_cast<double>(plane.members.size()), Comparison::GreaterEqual,
              plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSegments)},
@@ -238,6 +237,11 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
             {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
             {"incidence", map.meanIncidence(plane), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };
+        // Where ranges err together, what noise makes of a normal does not tell how well it is known.
+        if (parameters.noise.systematic <= 0.0)
+            tests.push_back({"normal_sigma",
+                             std::sqrt(std::max(1.0, meanErrorOf(plane)) * plane.estimate.normalVariance()),
+                             Comparison::LessEqual, parameters.planes.maxNormalSigma});
         if (std::all_of(tests.begin(), tests.end(), [](const Test& test) { return test.pass(); })) {
             plane.foundedAt = map.moment();
             continue;

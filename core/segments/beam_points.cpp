@@ -54,7 +54,7 @@ void BeamPoints::take(const ScanSlice& slice, const SensorModel& sensor, const P
     if (count_ == 0)
         return;
     kernels_->markGaps(arrays(), range_.data(), count_,
-                       static_cast<float>(gapPerRange(slice.bearingStep, parameters.segments)),
+                       static_cast<float>(gapPerRange(breakpointStep(slice.bearingStep), parameters.segments)),
                        static_cast<float>(parameters.segments.breakpointSigmas), marks_.data());
     liftGaps(parameters, slice.bearingStep);
 }
@@ -116,8 +116,8 @@ void BeamPoints::liftGaps(const Parameters& parameters, double bearingStep)
         if (beams > kBridgedBeams)
             continue;
         if (beams > 1) {
-            const double limit =
-                breakpointDistance(range(i - 1), bearingStep * beams, parameters.segments, parameters.noise);
+            const double limit = breakpointDistance(range(i - 1), breakpointStep(bearingStep * beams),
+                                                    parameters.segments, parameters.noise);
             if (std::hypot(u(i) - u(i - 1), v(i) - v(i - 1)) < limit) {
                 mark = 0;
                 continue;

@@ -7,7 +7,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/types/angle.h"
+
 namespace planewright {
+
+namespace {
+
+constexpr double kFinestBreakStep = degrees(0.25);
+
+}  // namespace
 
 double gapPerRange(double bearingStep, const SegmentParameters& parameters)
 {
@@ -21,6 +29,11 @@ double breakpointDistance(double range, double bearingStep, const SegmentParamet
 {
     return range * gapPerRange(bearingStep, parameters) +
            parameters.breakpointSigmas * std::sqrt(noise.rangeVariance(range));
+}
+
+double breakpointStep(double bearingStep)
+{
+    return std::max(bearingStep, kFinestBreakStep);
 }
 
 void splitAtBreakpoints(const SlicePoints& points, double bearingStep, const SegmentParameters& parameters,

@@ -17,6 +17,12 @@ double gapPerRange(double bearingStep, const SegmentParameters& parameters);
 double breakpointDistance(double range, double bearingStep, const SegmentParameters& parameters,
                           const NoiseParameters& noise);
 
+/// The bearing step [rad] whose gaps count where the maximum-likelihood method looks for breakpoints: that of the
+/// slice, or 0.25° where it is finer. Noise of the ranges alone is farther apart than D_o once for so many beams,
+/// however many they are; and what a finer step could tell apart, the division into straight pieces tells from all
+/// points.
+double breakpointStep(double bearingStep);
+
 /// Splits a slice into runs of neighbouring points that lie on one surface (Table II, lines 2 to 6).
 ///
 /// Two neighbours stay together while their gap is below D_o of Eq. (3), which grows with range so that far, sparsely

@@ -209,8 +209,8 @@ void StatisticsExtractor::traceRuns(const ScanSlice& slice, const Parameters& pa
             trace.breaks.push_back(
                 {points_.beam(first - 1), points_.beam(first),
                  std::hypot(points_.u(first) - points_.u(first - 1), points_.v(first) - points_.v(first - 1)),
-                 breakpointDistance(points_.range(first - 1), slice.bearingStep * counted, parameters.segments,
-                                    parameters.noise),
+                 breakpointDistance(points_.range(first - 1), breakpointStep(slice.bearingStep * counted),
+                                    parameters.segments, parameters.noise),
                  beams > kBridgedBeams});
         }
         trace.runs.push_back({points_.beam(first), points_.beam(next - 1), next - first});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "core/types/square.h"
 
@@ -22,13 +23,18 @@ constexpr double kToldSamples = 24.0;
 constexpr std::array kToldRanges{2.0, 8.0};
 /// A sample where the bearing noise adds more than this share of the told variance tells nothing of the range noise.
 constexpr double kBearingShare = 0.25;
+/// However little noise is told, samples are taken as if it were so many times the range.
+constexpr double kLeastTold = 1e-4;
 /// The median of a normal deviate's size, in standard deviations.
 constexpr double kMedianSize = 0.6745;
 /// Sizes beyond so many standard deviations are edges.
 constexpr double kEdgeSigmas = 3.5;
 constexpr int kEdgeRounds = 4;
 /// The parts of the noise are at least this share of what was told, where ranges err by themselves.
-constexpr double kLeastShare = 0.5;
+constexpr double kLeastShare = 0.0625;
+/// The law of the noise is fitted so many times, and is weighed by itself.
+constexpr int kLawRounds = 4;
+constexpr double kSmallestVariance = 1e-12;  // [m²]
 
 constexpr int kLowestRange = -4;  // 1/16 m
 constexpr int kLowestSize = -16;
@@ -54,6 +60,49 @@ double eighth(std::size_t i)
     return std::ldexp(1.0 + static_cast<double>(i % 8) / 8.0, kLowestSize + static_cast<int>(i / 8));
 }
 
+/// What some samples at a squared range [m²] tell of the variance there [m²].
+struct VarianceAtRange {
+    double samples;
+    double squaredRange;
+    double variance;
+    double least;  ///< as which it is weighed at least [m²]
+};
+
+/// σ² = constant + proportional ρ².
+struct VarianceLaw {
+    double constant;      // [m²]
+    double proportional;  // [m² per m²]
+};
+
+/// Least squares for the law, no part of it below the lowest. The variance of a variance that n samples tell is in
+/// proportion to its square over n; which square is told by the law found before.
+VarianceLaw lawOf(std::span<const VarianceAtRange> evidence, const VarianceLaw& before, const VarianceLaw& lowest)
+{
+    double sum = 0.0;
+    double sumR = 0.0;
+    double sumRr = 0.0;
+    double sumS = 0.0;
+    double sumRs = 0.0;
+    for (const auto& [samples, r, s, least] : evidence) {
+        const double weight = samples / square(std::max(least, before.constant + before.proportional * r));
+        sum += weight;
+        sumR += weight * r;
+        sumRr += weight * r * r;
+        sumS += weight * s;
+        sumRs += weight * r * s;
+    }
+    double proportional = (sum * sumRs - sumR * sumS) / (sum * sumRr - sumR * sumR);
+    double constant = (sumS - proportional * sumR) / sum;
+    if (proportional < lowest.proportional) {
+        proportional = lowest.proportional;
+        constant = (sumS - proportional * sumR) / sum;
+    } else if (constant < lowest.constant) {
+        constant = lowest.constant;
+        proportional = (sumRs - constant * sumR) / sumRr;
+    }
+    return {std::max(constant, lowest.constant), std::max(proportional, lowest.proportional)};
+}
+
 }  // namespace
 
 void RangeNoise::add(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& told)
@@ -75,7 +124,8 @@ void RangeNoise::add(const ScanSlice& slice, const SensorModel& sensor, const No
         const double least = std::min(std::min(before, range), after);
         const double most = std::max(std::max(before, range), after);
         if (!((least >= nearest) & (most <= farthest) &
-              (square(after - before) * perBeam <= kBearingShare * told.rangeVariance(range))))
+              (square(after - before) * perBeam <=
+               kBearingShare * std::max(told.rangeVariance(range), square(kLeastTold * range)))))
             continue;
         const double residual = range * (range * (before + after) / (before * after) - cosine) / root;
         Octave& octave = octaves_[octaveAbove(static_cast<float>(range), kLowestRange, kRanges)];
@@ -111,44 +161,28 @@ double RangeNoise::sigmaOf(const Octave& octave)
 
 NoiseParameters RangeNoise::estimate(const NoiseParameters& told) const
 {
-    // Least squares for σ² = constant² + proportional² ρ², each octave weighed by what its count tells.
-    double sum = 0.0;
-    double sumR = 0.0;
-    double sumRr = 0.0;
-    double sumS = 0.0;
-    double sumRs = 0.0;
-    const auto take = [&](double samples, double r, double s) {
-        const double weight =
-            samples / square(std::max(1e-12, square(told.rangeConstant) + square(told.rangeProportional) * r));
-        sum += weight;
-        sumR += weight * r;
-        sumRr += weight * r * r;
-        sumS += weight * s;
-        sumRs += weight * r * s;
-    };
-    for (const double range : kToldRanges)
-        take(kToldSamples, range * range, told.rangeVariance(range));
+    std::array<VarianceAtRange, kRanges + kToldRanges.size()> evidence;
+    std::size_t count = 0;
+    for (const double range : kToldRanges) {
+        // Weighed by itself where the scanner is better, so that it fades there as well.
+        const double variance = std::max(kSmallestVariance, told.rangeVariance(range));
+        evidence[count++] = {kToldSamples, range * range, variance, variance};
+    }
     for (const Octave& octave : octaves_) {
-        if (octave.samples == 0)
-            continue;
         const auto samples = static_cast<double>(octave.samples);
-        take(samples, octave.squaredRanges / samples, square(sigmaOf(octave)));
+        if (octave.samples > 0)
+            evidence[count++] = {samples, octave.squaredRanges / samples, square(sigmaOf(octave)), kSmallestVariance};
     }
-    const double leastShare = told.systematic > 0.0 ? 1.0 : kLeastShare;
-    const double leastConstant = square(leastShare * told.rangeConstant);
-    const double leastProportional = square(leastShare * told.rangeProportional);
-    double proportional = (sum * sumRs - sumR * sumS) / (sum * sumRr - sumR * sumR);
-    double constant = (sumS - proportional * sumR) / sum;
-    if (proportional < leastProportional) {
-        proportional = leastProportional;
-        constant = (sumS - proportional * sumR) / sum;
-    } else if (constant < leastConstant) {
-        constant = leastConstant;
-        proportional = (sumRs - constant * sumR) / sumRr;
-    }
+    const double leastShare = square(told.systematic > 0.0 ? 1.0 : kLeastShare);
+    const VarianceLaw least{leastShare * square(told.rangeConstant), leastShare * square(told.rangeProportional)};
+    VarianceLaw law{square(told.rangeConstant), square(told.rangeProportional)};
+    // Where ranges err together this residual sees too little, most of all nearby: what was told tells what counts.
+    const int rounds = told.systematic > 0.0 ? 1 : kLawRounds;
+    for (int round = 0; round < rounds; ++round)
+        law = lawOf(std::span(evidence).first(count), law, least);
     NoiseParameters found = told;
-    found.rangeConstant = std::sqrt(std::max(constant, leastConstant));
-    found.rangeProportional = std::sqrt(std::max(proportional, leastProportional));
+    found.rangeConstant = std::sqrt(law.constant);
+    found.rangeProportional = std::sqrt(law.proportional);
     return found;
 }
 

@@ -24,8 +24,9 @@ public:
     void add(const ScanSlice& slice, const SensorModel& sensor, const NoiseParameters& told);
 
     /// The noise told, with the constant and the proportional part of the range noise as found. What was told counts
-    /// like some samples, so that it holds until there are more. Neither part becomes less than half of what was told,
-    /// and none less at all where ranges are told to err together (`noise.systematic`), which this residual cannot see.
+    /// like some samples, so that it holds until there are more. Neither part becomes less than a sixteenth of what was
+    /// told, and none less at all where ranges are told to err together (`noise.systematic`), which this residual
+    /// cannot see.
     NoiseParameters estimate(const NoiseParameters& told) const;
 
     std::int64_t samples() const { return samples_; }

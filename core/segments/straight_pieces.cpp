@@ -16,12 +16,27 @@ constexpr int kMovablePoints = 6;
 constexpr double kStranger = kClipSigmas * kClipSigmas;
 /// Divisions one within the other before a piece is halved instead.
 constexpr int kDeepestDivision = 48;
-/// Two lines must explain a piece better than one by so much χ²; how many divisions are tried; and one in the other.
-constexpr double kDivisionGain = 25.0;
-constexpr int kDivisionsTried = 16;
+/// Two lines must explain a piece better than one by so much χ²: where points scatter by more than their noise tells,
+/// by as many times that scatter, unless χ² gains even more.
+constexpr double kDivisionGain = 16.0;
+constexpr double kSureGain = 25.0;
+/// One variance serves all points of a piece where that at its ends is less than so many times that of its middle.
+constexpr double kEvenVariance = 1.5;
+/// How many divisions of a piece are tried at first; the gain at one of them is at least this share of the most; and
+/// how many are tried one in the other.
+constexpr int kDivisionsTried = 8;
+constexpr double kGainNearby = 0.6;
 constexpr int kDeepestBend = 4;
 /// A division is doubtful where its squared deviation is less than so many times the limit.
 constexpr double kDoubtful = 4.0;
+
+/// Whether two lines with this sum of squares [m²] explain a piece so much better than one that it is no chance.
+bool isSurelyTwo(const LinePiece& piece, double apart, double wantedGain)
+{
+    const double gain = piece.line.across - apart;
+    const double scatter = std::max(piece.variance, apart / std::max(1.0, piece.moments.count - 4.0));
+    return gain > wantedGain * scatter || gain > kSureGain * piece.variance;
+}
 
 }  // namespace
 
@@ -43,13 +58,13 @@ std::span<LinePiece> StraightPieces::divide(const BeamPoints& points, int shorte
     }
     for (LinePiece& piece : pieces_)
         fitLine(piece, parameters.noise);
-    const auto isBent = [&](const LinePiece& piece) { return bendOf(piece, kDeepestBend) >= 0; };
+    const auto isBent = [&](const LinePiece& piece) { return bendOf(piece, kDeepestBend, parameters.noise) >= 0; };
     const auto bent = std::find_if(pieces_.begin(), pieces_.end(), isBent);
     if (bent == pieces_.end())
         return pieces_;
     straight_.assign(pieces_.begin(), bent);
     for (auto piece = bent; piece != pieces_.end(); ++piece)
-        divideBent(*piece, bendOf(*piece, kDeepestBend), kDeepestBend, parameters.noise);
+        divideBent(*piece, bendOf(*piece, kDeepestBend, parameters.noise), kDeepestBend, parameters.noise);
     return straight_;
 }
 
@@ -298,20 +313,34 @@ void StraightPieces::settleBorder(LinePiece& left, LinePiece& right, const Noise
     }
 }
 
+/// Whether one variance tells how all points of a piece stray: that across the line is about the same all along, while
+/// beside the foot of a long wall it is many times that of its middle, and no ranges err together, which is no step.
+bool StraightPieces::hasOneVariance(const LinePiece& piece, const NoiseParameters& noise) const
+{
+    if (noise.systematic > 0.0)
+        return false;
+    const auto isEven = [&](int i) {
+        return varianceAcross(piece.line.normalU(), piece.line.normalV(), points_->u(i), points_->v(i), noise) <
+               kEvenVariance * piece.variance;
+    };
+    return isEven(piece.first) && isEven(piece.last);
+}
+
 /// Where two lines explain a piece best: the first point of the second one; −1 where two explain it no better than one.
-int StraightPieces::bestDivision(const LinePiece& piece) const
+int StraightPieces::bestDivision(const LinePiece& piece, const NoiseParameters& noise) const
 {
     int low = piece.first + shortest_;
     int high = piece.last - shortest_ + 1;
     int division = -1;
-    double least = piece.line.across - kDivisionGain * piece.variance;
+    const double wanted = hasOneVariance(piece, noise) ? kDivisionGain : kSureGain;
+    double least = piece.line.across - kGainNearby * wanted * piece.variance;
     // Every few points first, then every point around the best.
     for (int step = std::max(1, piece.points() / kDivisionsTried);; step = std::max(1, step / kDivisionsTried * 2)) {
         LineMoments left = fewPoints(piece.first, low - 1);
         for (int border = low; border <= high; border += step) {
             LineMoments right = piece.moments;
             right.remove(left);
-            const double across = lineOf(left).across + lineOf(right).across;
+            const double across = axesOf(left).smaller + axesOf(right).smaller;
             if (across < least) {
                 least = across;
                 division = border;
@@ -320,18 +349,21 @@ int StraightPieces::bestDivision(const LinePiece& piece) const
                 left.add(fewPoints(border, border + step - 1));
         }
         if (step == 1 || division < 0)
-            return division;
+            return division >= 0 && isSurelyTwo(piece, least, wanted) ? division : -1;
         low = std::max(piece.first + shortest_, division - step);
         high = std::min(piece.last - shortest_ + 1, division + step);
     }
 }
 
 /// Where a fitted piece is to be divided because two lines explain it much better than one; −1 where it is not.
-int StraightPieces::bendOf(const LinePiece& piece, int depth) const
+int StraightPieces::bendOf(const LinePiece& piece, int depth, const NoiseParameters& noise) const
 {
-    const bool mayBe = depth > 0 && piece.points() >= 2 * shortest_ &&
-                       piece.line.across > piece.variance * largestChi(piece.moments.count);
-    return mayBe ? bestDivision(piece) : -1;
+    // A step that many points tell is lost in their scatter long before one line explains them badly.
+    const double most = piece.variance * largestChi(piece.moments.count);
+    const double sure = piece.variance * (piece.moments.count - 2.0 + kSureGain);
+    const bool mayBe = depth > 0 && piece.points() >= 2 * shortest_ && piece.line.across > std::min(most, sure) &&
+                       (piece.line.across > most || hasOneVariance(piece, noise));
+    return mayBe ? bestDivision(piece, noise) : -1;
 }
 
 /// Appends a fitted piece to the straight ones, divided at a point (−1: whole) and on: steps and bends that are too
@@ -348,7 +380,7 @@ void StraightPieces::divideBent(const LinePiece& piece, int division, int depth,
     settleBorder(left, right, noise);
     for (LinePiece* part : {&left, &right}) {
         fitLine(*part, noise);
-        divideBent(*part, bendOf(*part, depth - 1), depth - 1, noise);
+        divideBent(*part, bendOf(*part, depth - 1, noise), depth - 1, noise);
     }
 }
 

@@ -46,8 +46,9 @@ private:
     void tellDropped(int first, int last) const;
     void tellStranger(int point, double deviation) const;
     void settleBorder(LinePiece& left, LinePiece& right, const NoiseParameters& noise) const;
-    int bestDivision(const LinePiece& piece) const;
-    int bendOf(const LinePiece& piece, int depth) const;
+    bool hasOneVariance(const LinePiece& piece, const NoiseParameters& noise) const;
+    int bestDivision(const LinePiece& piece, const NoiseParameters& noise) const;
+    int bendOf(const LinePiece& piece, int depth, const NoiseParameters& noise) const;
     void divideBent(const LinePiece& piece, int division, int depth, const NoiseParameters& noise);
 
     const BeamPoints* points_ = nullptr;

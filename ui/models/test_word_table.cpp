@@ -115,6 +115,9 @@ std::span<const TestWords> allTestWords()
                   "Whether the segment fits a plane that it faces; then no other is asked."},
         TestWords{"normal_variance", Any, "σ of n", Variance, Keys{"likelihood.known-angle", ""},
                   "How well the plane's normal is known: its standard deviation."},
+        TestWords{"place_sigma", Any, "σ there", Metre, Keys{},
+                  "How well the plane tells where it is at the segment, as a standard deviation; the limit is what the "
+                  "segment itself tells."},
         TestWords{"slices_away", Any, "slices away", Count, Keys{},
                   "How many slices ago the plane met a segment last; after eight it is out of sight."},
         TestWords{"own_chi2", Any, "χ² to its own", ChiSquare, Keys{},

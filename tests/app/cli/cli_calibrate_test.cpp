@@ -186,6 +186,10 @@ void CliCalibrateTest::wrongUseIsAnError_data()
     QTest::newRow("no folder") << QStringList{"scan.csv", "-o", "none/mine.json"} << 5 << "none/mine.json: ";
     QTest::newRow("beyond the range") << QStringList{"scan.csv", "-P", "sensor.range-offset=2"} << 2
                                       << "-P: parameter sensor.range-offset: '2' is not allowed";
+    QTest::newRow("another scanner")
+        << QStringList{"scan.csv", "other.csv"} << 2
+        << "other.csv: its scanner 'UST-20LX' is not the 'UTM-30LX' of scan.csv. Errors are "
+           "those of one scanner: calibrate each with its own scans.";
 }
 
 void CliCalibrateTest::wrongUseIsAnError()
@@ -195,6 +199,7 @@ void CliCalibrateTest::wrongUseIsAnError()
     QFETCH(QString, message);
     const QTemporaryDir folder;
     writeBytes(folder.filePath("scan.csv"), recordingText(2, 3, 1500));
+    writeBytes(folder.filePath("other.csv"), recordingText(2, 3, 1500, "UST-20LX"));
     writeBytes(folder.filePath("broken.csv"), "slice");
 
     const ProgramRun run = runProgram(QStringList{"calibrate"} + options, folder.path());

@@ -22,6 +22,7 @@ private slots:
     void withoutOutputsPrintsATable();
     void untilIsAsIfTheScanHadEndedThere();
     void untilBeforeTheFirstStepIsAnError();
+    void noiseToldFarTooSmallIsWarnedOf();
     void historyHasALinePerStepAndTheLastPass();
     void statsCountWhatThePlanesHold();
     void unknownKindOfOutputIsWrongUsage_data();
@@ -121,6 +122,27 @@ void CliExtractTest::untilBeforeTheFirstStepIsAnError()
     QCOMPARE(run.code, 2);
     QCOMPARE(run.err, QByteArray("planewright-cli: --until: the recording begins with step 5, give that or a later "
                                  "one\n"));
+}
+
+void CliExtractTest::noiseToldFarTooSmallIsWarnedOf()
+{
+    runProgram({"simulate", "twelve", "-o", "noisy.csv", "--tilt", "10:170:4", "--bearing", "0:180:0.5"},
+               folder_.path());
+    const auto withTold = [&](const QString& constant) {
+        return runProgram({"extract", "noisy.csv", "-P", "noise.estimated=false", "-P", "noise.range-proportional=0",
+                           "-P", "noise.range-constant=" + constant},
+                          folder_.path());
+    };
+
+    const ProgramRun small = withTold("0.001");
+    const ProgramRun right = withTold("0.008");
+    const ProgramRun found = runProgram({"extract", "noisy.csv", "-P", "noise.range-constant=0.001"}, folder_.path());
+
+    QCOMPARE(small.code, 0);
+    QVERIFY2(small.err.startsWith("planewright-cli: warning: noisy.csv: ranges scatter by "), small.err);
+    QVERIFY2(small.err.contains(", where 1.0 mm are told: "), small.err);
+    QCOMPARE(right.err, QByteArray());
+    QCOMPARE(found.err, QByteArray());
 }
 
 void CliExtractTest::historyHasALinePerStepAndTheLastPass()

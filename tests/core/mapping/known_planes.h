@@ -8,7 +8,7 @@
 
 #include "core/geometry/pose.h"
 #include "core/geometry/tangents.h"
-#include "core/mapping/stop.h"
+#include "core/mapping/uncertain_plane.h"
 #include "core/types/square.h"
 
 namespace planewright {
@@ -36,6 +36,8 @@ inline UncertainPlane changedBy(const UncertainPlane& plane, const Eigen::Vector
     UncertainPlane changed = plane;
     changed.normal = (plane.normal + plane.tangents * change.head<2>()).normalized();
     changed.distance += change.z();
+    changed.tangents = tangentsOf(changed.normal);
+    changed.covariance = covarianceIn(changed, plane);
     return changed;
 }
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
 #include <QtTest>
 
 #include "core/mapping/map_builder.h"
+#include "core/mapping/uncertain_plane.h"
 #include "core/types/angle.h"
 #include "tests/core/mapping/map_score.h"
 #include "tests/core/mapping/simulated_floor.h"
@@ -28,6 +30,7 @@ private slots:
     void aBareCorridorSaysThatOdometryAloneKnowsTheWay();
     void withoutOdometryAStopIsPlacedWhereItIsTheOnlyPlace();
     void withoutOdometryASquareRoomPlacesNothing();
+    void afterAStopThatIsNotPlacedOdometryGoesOn();
 };
 
 namespace {
@@ -274,6 +277,26 @@ void MapTrustTest::withoutOdometryASquareRoomPlacesNothing()
     QCOMPARE(joined->trust, StopTrust::Unplaced);
     QCOMPARE(builder.map().stops[1].alternatives.size(), std::size_t(4));
     QCOMPARE(joined->matched + joined->fresh, 0);
+}
+
+/// A stop that saw nothing of use cannot be placed by itself; the one after it is two ways away from the last that was.
+void MapTrustTest::afterAStopThatIsNotPlacedOdometryGoesOn()
+{
+    const FloorPlan plan = ringFloor(43);
+    auto stops = seeFloor(plan, ringRoute(20, 43), {}, 43);
+    stops.resize(4);
+    stops[2].stop.planes.clear();
+    stops[2].planes.clear();
+    MapBuilder builder = builderOfFlatWalls();
+    for (const SimulatedStop& stop : stops)
+        QVERIFY(builder.join(stop.stop));
+
+    QCOMPARE(builder.map().stops[2].trust, StopTrust::OdometryAlone);
+    const MapStop& next = builder.map().stops[3];
+    QCOMPARE(next.trust, StopTrust::Planes);
+    const Vector6d error = errorBetween(stops[0].truth.inverse() * stops[3].truth, next.pose);
+    QVERIFY(error.tail<3>().norm() < 0.1);
+    QVERIFY(error.dot(next.covariance.llt().solve(error)) < chiSquareLimit(6));
 }
 
 }  // namespace planewright

@@ -20,6 +20,7 @@ private slots:
     void aRoomOfItsOwnShapeHasOnePlace();
     void aSquareRoomHasFour();
     void aRectangularRoomHasTwo();
+    void aPlaceOutOfReachIsNotFound();
     void aBareCorridorIsNotFixedAlongIt();
     void aStopThatLiesOnItsSideIsFoundIfThatIsAllowed();
     void planesThatDoNotMeetAreNoPairs();
@@ -112,6 +113,21 @@ void PlaceByPlanesTest::aRectangularRoomHasTwo()
     const auto placements = placeByPlanes(seenAt(offTheMiddle(), known), known, {}, meetAlways);
 
     QCOMPARE(withAllPairs(placements, 6), std::size_t(2));
+}
+
+/// Turned by half a turn the stop would stand 1.6 m away.
+void PlaceByPlanesTest::aPlaceOutOfReachIsNotFound()
+{
+    const Planes known = roomOf(3.0, 2.0);
+    PlacementSearch search;
+    search.about = offTheMiddle();
+    search.reach = 1.0;
+
+    const auto placements = placeByPlanes(seenAt(offTheMiddle(), known), known, search, meetAlways);
+
+    QCOMPARE(withAllPairs(placements, 6), std::size_t(1));
+    search.reach = 2.0;
+    QCOMPARE(withAllPairs(placeByPlanes(seenAt(offTheMiddle(), known), known, search, meetAlways), 6), std::size_t(2));
 }
 
 void PlaceByPlanesTest::aBareCorridorIsNotFixedAlongIt()

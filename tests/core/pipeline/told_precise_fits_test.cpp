@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <optional>
+#include <set>
 
 #include "tests/core/pipeline/likelihood_twin.h"
 #include "tests/core/pipeline/neighbour_slices.h"
@@ -139,10 +140,12 @@ void ToldPreciseFitsTest::thinnedPlanesScatterAsTold()
             std::map<PlaneId, std::vector<SegmentId>> members;
             for (const auto& plane : phase.before->planes)
                 members[plane->id] = plane->segments;
+            std::set<PlaneId> thinned;
             for (const Decision& decision : phase.decisions()) {
                 if (decision.kind != DecisionKind::Split || decision.tests.front().name != "reduced_chi2")
                     continue;
-                std::vector<SegmentId>& all = members.at(planeOf(decision.operands[0]));
+                const PlaneId id = planeOf(decision.operands[0]);
+                std::vector<SegmentId>& all = members.at(id);
                 const PlaneSegments segments = segmentsOf(all, phase.after->segments);
                 const double pitch = phase.after->noise.pitch;
                 const LikeliestPlane plane(segments, pitch, scan.parameters.noise.systematic);
@@ -151,11 +154,13 @@ void ToldPreciseFitsTest::thinnedPlanesScatterAsTold()
                     chi += residualChi(*s, plane, pitch, floor);
                 const double freedom = std::max(1.0, 2.0 * static_cast<double>(all.size()) - 3.0);
                 // One that scatters much turns with each segment that leaves, farther than once linearised it follows.
+                // Before the first leaves, it is still linearised where it was when the last joined.
                 const Test& told = decision.tests.front();
+                const double tolerance = thinned.insert(id).second ? 0.1 : 0.02;
                 if (told.value < 5.0 && allDirected(segments, phase.after->noise))
                     QVERIFY(recomputed.agree(phase, told, chi / freedom,
                                              1.0 + scan.parameters.likelihood.splitSigmas * std::sqrt(2.0 / freedom),
-                                             0.02));
+                                             tolerance));
                 std::erase(all, segmentOf(decision.operands[1]));
             }
         }
@@ -218,8 +223,8 @@ void ToldPreciseFitsTest::mergedPlanesAreOneAsTold()
             members.erase(kept == idA ? idB : idA);
         }
     }
-    // Rooms of few large planes have few that nearly are one.
-    if (scene == "curved" || scene == "clutter")
+    // Stairs have no two planes that nearly are one; those of a curved wall scatter too much.
+    if (scene != "stairs" && scene != "curved")
         QVERIFY(recomputed.counts["merge_chi2"] >= 3 && recomputed.counts["adjacent"] >= 5);
 }
 

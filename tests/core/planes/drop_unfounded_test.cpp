@@ -24,6 +24,7 @@ private slots:
     void aNarrowPlaneThatStandsFreeIsAPole();
     void aPlaneExplainsItsSegments();
     void aPlaneOfManySegmentsNeedNotExplainThem();
+    void aPlaneKnowsItsNormal();
     void aPlaneIsOfStraightSegments_data();
     void aPlaneIsOfStraightSegments();
     void aPlaneIsMetAtMoreThanAGrazingAngle_data();
@@ -52,6 +53,7 @@ void DropUnfoundedTest::aPlaneFillsItsSolidAngle()
     OneWall fewer(3, wallBy(320, 322));
     few.scan.parameters.likelihood.minSolidAngle = 0.0;
     fewer.scan.parameters.likelihood.minSolidAngle = 0.0;
+    few.scan.parameters.planes.maxNormalSigma = fewer.scan.parameters.planes.maxNormalSigma = degrees(45.0);
     QVERIFY(few.droppedFor().empty());
     QVERIFY((fewer.droppedFor() == Names{"points"}));
 }
@@ -149,6 +151,18 @@ void DropUnfoundedTest::aPlaneOfManySegmentsNeedNotExplainThem()
 
         QVERIFY(wall.droppedFor() == (slices == 60 ? Names{"reduced_chi2"} : Names{}));
     }
+}
+
+void DropUnfoundedTest::aPlaneKnowsItsNormal()
+{
+    OneWall wall(4);
+    OneWall strict(4);
+    const double sigma = std::sqrt(wall.plane().estimate.normalVariance());
+    wall.scan.parameters.planes.maxNormalSigma = 1.01 * sigma;
+    strict.scan.parameters.planes.maxNormalSigma = 0.99 * sigma;
+
+    QVERIFY(wall.droppedFor().empty());
+    QVERIFY((strict.droppedFor() == Names{"normal_sigma"}));
 }
 
 void DropUnfoundedTest::aPlaneIsOfStraightSegments_data()

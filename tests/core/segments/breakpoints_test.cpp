@@ -49,6 +49,7 @@ private slots:
     void breakpointDistanceIsEq3ByHand_data();
     void breakpointDistanceIsEq3ByHand();
     void breakpointDistanceStaysBoundedForCoarseScanners();
+    void noStepCountsAsFinerThanAQuarterOfADegree();
     void aCoarseScannerSeesAWallAsOneRunAndEndsItBehindAPillar();
     void startsANewRunWhereAPillarHidesTheWall();
     void theRangeOfTheBeamBeforeSetsTheLimit();
@@ -101,6 +102,13 @@ void BreakpointsTest::breakpointDistanceStaysBoundedForCoarseScanners()
         QVERIFY(distance < 4.0 * 4.0);
         before = distance;
     }
+}
+
+void BreakpointsTest::noStepCountsAsFinerThanAQuarterOfADegree()
+{
+    QCOMPARE(breakpointStep(degrees(0.01)), degrees(0.25));
+    QCOMPARE(breakpointStep(degrees(0.25)), degrees(0.25));
+    QCOMPARE(breakpointStep(degrees(0.5)), degrees(0.5));
 }
 
 void BreakpointsTest::aCoarseScannerSeesAWallAsOneRunAndEndsItBehindAPillar()

@@ -50,6 +50,7 @@ private slots:
     void aWallSeenAtAShallowAngleStaysWhole();
     void missingBeamsDoNotEndAWall();
     void aPillarEndsAWall();
+    void aFineBearingStepDividesNoWall();
     void aDoorSetBackAFewCentimetresIsASegmentOfItsOwn();
     void aStepThatNoSinglePointShowsIsFound();
     void aMixedPixelEndsNoSegment();
@@ -129,6 +130,24 @@ void ExtractStatisticsTest::aPillarEndsAWall()
     QVERIFY(std::abs(segments[1].v - 2.0) < 1e-5);
     QVERIFY(segments[1].startsFree && segments[1].endsFree);
     QVERIFY(!segments[0].endsFree && !segments[2].startsFree);
+}
+
+void ExtractStatisticsTest::aFineBearingStepDividesNoWall()
+{
+    // Points are 0.7 mm apart and stray by 9 mm: neighbours are as far apart as noise happens to put them, once in some
+    // hundred by more than what a step of 0.01° and three standard deviations would allow.
+    ScanSlice slice =
+        drawn(emptySlice(degrees(60.0), degrees(0.01), 6001), {{{3.0, 4.0}, {-3.0, 4.0}}, {{0.2, 2.0}, {-0.2, 2.0}}});
+    std::mt19937_64 random(1);
+    for (double& range : slice.ranges)
+        range += 0.009 * normal(random);
+
+    const auto segments = segmentsOf(slice);
+
+    QCOMPARE(segments.size(), std::size_t(3));
+    // From bearing arctan(2 / 0.2), 84.29°, to its mirror image.
+    QVERIFY(std::abs(segments[1].firstBeam - 2429) <= 2 && std::abs(segments[1].lastBeam - 3571) <= 2);
+    QVERIFY(segments[1].startsFree && segments[1].endsFree);
 }
 
 void ExtractStatisticsTest::aDoorSetBackAFewCentimetresIsASegmentOfItsOwn()

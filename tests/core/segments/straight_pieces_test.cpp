@@ -51,6 +51,7 @@ class StraightPiecesTest : public QObject {
 private slots:
     void noiseDoesNotDivideAWall();
     void aStrangerDoesNotDivideAWall();
+    void aStepOfTwoSigmasDividesAWallOfManyPoints();
     void aCornerDividesWhereItIs();
     void aLineIsThatOfItsMoments();
     void runsTooShortArePassedOver();
@@ -78,6 +79,23 @@ void StraightPiecesTest::aStrangerDoesNotDivideAWall()
         QCOMPARE(pieces.size(), std::size_t{1});
         QCOMPARE(pieces[0].points(), 241);
     }
+}
+
+void StraightPiecesTest::aStepOfTwoSigmasDividesAWallOfManyPoints()
+{
+    // Ranges one σ too long and too short in turn: χ² of 241 points about the right lines is 241 at most. The best line
+    // across a step h in the middle strays by h²/16 on average, 60 for two σ, which is less than what chance adds to
+    // χ² of 239 in one of a thousand (66), and more than chance gives a second line.
+    constexpr double kSigma = 0.01;
+    ScanSlice slice =
+        drawn(ahead(), {{{3.0, 3.0}, {0.0, 3.0}}, {{0.0, 3.0 + 2.0 * kSigma}, {-3.0, 3.0 + 2.0 * kSigma}}});
+    for (std::size_t i = 0; i < slice.ranges.size(); ++i)
+        slice.ranges[i] += i % 2 == 0 ? kSigma : -kSigma;
+
+    const auto pieces = piecesOf(slice, withNoise(kSigma));
+
+    QCOMPARE(pieces.size(), std::size_t{2});
+    QVERIFY2(std::abs(pieces[1].first - 120) <= 6, qPrintable(QString::number(pieces[1].first)));
 }
 
 void StraightPiecesTest::aCornerDividesWhereItIs()
