@@ -163,6 +163,10 @@ void DropUnfoundedTest::aPlaneKnowsItsNormal()
 
     QVERIFY(wall.droppedFor().empty());
     QVERIFY((strict.droppedFor() == Names{"normal_sigma"}));
+    OneWall together(4);
+    together.scan.parameters.planes.maxNormalSigma = 0.99 * sigma;
+    together.scan.parameters.noise.systematic = 0.0015;
+    QVERIFY(together.droppedFor().empty());
 }
 
 void DropUnfoundedTest::aPlaneIsOfStraightSegments_data()

@@ -255,17 +255,20 @@ void JoinTracksTest::whatAloneWouldTurnAPlaneJoinsOnlyToADirectionOfTheRoom_data
 {
     QTest::addColumn<double>("shift");
     QTest::addColumn<bool>("wall");
+    QTest::addColumn<double>("systematic");
     QTest::addColumn<bool>("joins");
 
-    QTest::newRow("in line, and a wall is parallel to both") << 0.0 << true << true;
-    QTest::newRow("in line, but nothing is parallel") << 0.0 << false << false;
-    QTest::newRow("out of line, and not parallel to the wall then") << 0.08 << true << false;
+    QTest::newRow("in line, and a wall is parallel to both") << 0.0 << true << 0.0 << true;
+    QTest::newRow("in line, but nothing is parallel") << 0.0 << false << 0.0 << false;
+    QTest::newRow("the same of ranges that err together") << 0.0 << false << 0.0001 << true;
+    QTest::newRow("out of line, and not parallel to the wall then") << 0.08 << true << 0.0 << false;
 }
 
 void JoinTracksTest::whatAloneWouldTurnAPlaneJoinsOnlyToADirectionOfTheRoom()
 {
     QFETCH(const double, shift);
     QFETCH(const bool, wall);
+    QFETCH(const double, systematic);
     QFETCH(const bool, joins);
     // Six beams at 4 m are 9 cm wide: with 9 mm of noise their line turns by 9 mm / 73 mm, the root of the sum of
     // squares from their middle, and 30 of them by 1.3° about the upright, a little less where they look up and see the
@@ -279,6 +282,7 @@ void JoinTracksTest::whatAloneWouldTurnAPlaneJoinsOnlyToADirectionOfTheRoom()
             joining.scan.parameters.likelihood.knownAngle);
     joining.see({wallBy(295, 300, shift)});
     QVERIFY(joining.joinChi(0, joining.scan.map.segments() - 1) < joining.scan.parameters.likelihood.apartGate);
+    joining.scan.parameters.noise.systematic = systematic;
 
     joining.join();
 

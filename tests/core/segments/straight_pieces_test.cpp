@@ -96,6 +96,11 @@ void StraightPiecesTest::aStepOfTwoSigmasDividesAWallOfManyPoints()
 
     QCOMPARE(pieces.size(), std::size_t{2});
     QVERIFY2(std::abs(pieces[1].first - 120) <= 6, qPrintable(QString::number(pieces[1].first)));
+
+    // Of a scanner whose ranges err together it is no step.
+    Parameters together = withNoise(kSigma);
+    together.noise.systematic = 0.0015;
+    QCOMPARE(piecesOf(slice, together).size(), std::size_t{1});
 }
 
 void StraightPiecesTest::aCornerDividesWhereItIs()
