@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Cholesky>
+
 #include "core/types/square.h"
 
 namespace planewright {
@@ -71,6 +73,14 @@ std::vector<Pose> rivalsOf(std::span<const Placement> placements, const Pose& po
     return rivals;
 }
 
+/// True where odometry allows a place.
+bool isExpected(const Placement& placement, const PosePrior& expected)
+{
+    const Vector6d miss = errorBetween(expected.pose, placement.pose);
+    const Matrix6d covariance = expected.covariance + placement.covariance;
+    return miss.dot(covariance.llt().solve(miss)) < chiSquareLimit(6);
+}
+
 /// Matches at a place that was found by planes: the pose found there says no more than where to look.
 StopMatch matchAt(const Placement& placement, const Stop& stop, const StopExtents& extents, const NearPlanes& near,
                   const MappingParameters& parameters)
@@ -107,14 +117,20 @@ StopDecision decideStop(const Stop& stop, const StopExtents& extents, const Near
     const Pose& pose = decision.match.registration.pose;
     const int pairs = decision.match.pairs;
     const std::vector<Placement> placements = possiblePlaces(stop, extents, near, expected, parameters);
-    const auto other = std::ranges::find_if(
-        placements, [&](const Placement& placement) { return !isSamePlace(placement.pose, pose); });
+    const auto isHere = [&](const Placement& placement) {
+        return isSamePlace(placement.pose, pose) || isExpected(placement, expected);
+    };
+    // At a place that odometry allows, planes count as everywhere: matched or left open.
+    int here = pairs;
+    for (const Placement& placement : placements)
+        here = std::max(here, isHere(placement) ? pairsOf(placement) : 0);
+    const auto other = std::ranges::find_if_not(placements, isHere);
 
     const bool otherIsBetter =
-        other != placements.end() && pairsOf(*other) >= pairs + kClearlyMore && pairsOf(*other) > parameters.leastPairs;
+        other != placements.end() && pairsOf(*other) >= here + kClearlyMore && pairsOf(*other) > parameters.leastPairs;
     if (otherIsBetter) {
         // Odometry's own place is no rival unless it matches about as many.
-        if (pairs < parameters.rivalShare * pairsOf(*other))
+        if (here < parameters.rivalShare * pairsOf(*other))
             return decideByPlanes({other, placements.end()}, stop, extents, near, StopTrust::AgainstOdometry,
                                   parameters);
         decision = {};
