@@ -215,7 +215,8 @@ Outline outlineOf(const std::vector<Outline::Polygon>& parts, const Eigen::Vecto
     std::vector<PlanarPolygon> polygons;
     PlanarRing corners;
     for (const Outline::Polygon& part : parts) {
-        PlanarPolygon& polygon = polygons.emplace_back(planar(part.ring, false));
+        PlanarPolygon& polygon = polygons.emplace_back();
+        polygon.ring = planar(part.ring, false);
         for (const Ring& hole : part.holes)
             polygon.holes.push_back(planar(hole, true));
         corners.insert(corners.end(), polygon.ring.begin(), polygon.ring.end());
