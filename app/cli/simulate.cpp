@@ -118,7 +118,7 @@ void addSimulateCommand(CLI::App& program, Command& chosen)
         ->type_name("A:B:STEP");
     addWholeNumber(command, "--floors", options->floors, 1, kMostFloors, "floors of a building (default 4)");
     addWholeNumber(command, "--stops", options->stops, 1, kMostStops,
-                   "stops in a building (default 17 a floor, two more in all where there are four)");
+                   "stops in a building (default 17 or 18 a floor: 70 on four)");
     command
         .add_option("--truth-poses", options->truthPoses,
                     "where the stops of a building are, in the frame of the first (TUM format)")

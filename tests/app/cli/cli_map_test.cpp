@@ -102,7 +102,7 @@ void CliMapTest::planesTellWhichStopsSawThem()
     QVERIFY2(isShared, "stops in a row see the floor");
     QVERIFY(bytesOf(path("m.json")).contains("\"stops\":[0,1,2,3,4,5,6,7,8,"));
     QVERIFY(bytesOf(path("m.obj")).contains("plane_0"));
-    // They are planes as any: the largest ones are among the true ones.
+    // They are planes as any: compare reads them.
     const ProgramRun compared = run({"compare", "m.csv", "true.csv", "--json"});
     QVERIFY2(compared.code == 0, compared.err);
 }
