@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <QtTest>
 
@@ -27,10 +28,10 @@ private slots:
 
 namespace {
 
-const TruePlane* planeOf(const Scene& scene, const std::string& name)
+std::optional<TruePlane> planeOf(const Scene& scene, const std::string& name)
 {
     const auto found = std::ranges::find(scene.planes, name, &TruePlane::name);
-    return found == scene.planes.end() ? nullptr : &*found;
+    return found == scene.planes.end() ? std::nullopt : std::optional(*found);
 }
 
 }  // namespace
@@ -113,13 +114,13 @@ void BuildingTest::theFloorIsAsFarBelowAsTheScannerIsHigh()
     const SimulatedBuilding building(1, 5);
     const Pose level{rotationAbout({0.0, 0.0, 0.4}), {10.0, 0.0, 1.25}};
 
-    const TruePlane* floor = planeOf(building.sceneAt(0, level), "floor");
+    const std::optional<TruePlane> floor = planeOf(building.sceneAt(0, level), "floor");
 
     QVERIFY((floor->normal - Eigen::Vector3d(0.0, 0.0, -1.0)).norm() < 1e-12);
     QVERIFY(std::abs(floor->distance - 1.25) < 1e-12);
     // Turned a quarter of the way to the left, the scanner has the outer wall of its corridor on its right.
     const Pose quarter{rotationAbout({0.0, 0.0, degrees(90.0)}), {10.0, 0.0, 1.25}};
-    const TruePlane* wall = planeOf(building.sceneAt(0, quarter), "front wall");
+    const std::optional<TruePlane> wall = planeOf(building.sceneAt(0, quarter), "front wall");
     QVERIFY((wall->normal - Eigen::Vector3d(-1.0, 0.0, 0.0)).norm() < 1e-12);
     QVERIFY(std::abs(wall->distance - 1.2) < 1e-12);
 }
@@ -130,8 +131,8 @@ void BuildingTest::aStopSeesNoOtherSideOfTheWall()
     const SimulatedBuilding building(1, 5);
     const Scene scene = building.sceneAt(0, {Eigen::Quaterniond::Identity(), {10.0, 0.0, 1.25}});
 
-    const TruePlane* face = planeOf(scene, "front wall");
-    const TruePlane* back = planeOf(scene, "front wall back");
+    const std::optional<TruePlane> face = planeOf(scene, "front wall");
+    const std::optional<TruePlane> back = planeOf(scene, "front wall back");
 
     QVERIFY(std::abs(back->distance - face->distance - 0.15) < 1e-12);
     QVERIFY((back->normal - face->normal).norm() < 1e-12);
