@@ -231,6 +231,10 @@ Result<ExitCode> runCalibration(const CalibrateOptions& options)
         Result<RecordingFile> read = readRecordingFile(input);
         if (!read)
             return tl::unexpected{read.error()};
+        if (read->recording.description.beamTable || read->recording.description.isTurned())
+            return fail(ErrorCode::Usage, input +
+                                              ": this is an imported cloud, whose scanner was recovered from its "
+                                              "points; calibrate with recordings of a nodding scanner");
         damaged = damaged || read->damaged;
         recordings.push_back(std::move(read->recording));
         if (recordings.back().description.scanner != recordings.front().description.scanner)

@@ -207,7 +207,10 @@ void addExtractCommand(CLI::App& program, Command& chosen)
 {
     CLI::App& command = *program.add_subcommand("extract", "planes from a recording");
     auto options = std::make_shared<ExtractOptions>();
-    command.add_option("INPUT", options->input, "recording (.csv, .csv.gz or .pwscan)")->required();
+    command
+        .add_option("INPUT", options->input,
+                    "recording (.csv, .csv.gz or .pwscan), or cloud (.pcd, .ptx, .3d or a folder of these)")
+        ->required();
     command
         .add_option("--planes", options->planes,
                     "planes as .csv, .json, .ply, .obj or .dxf, repeatable; without any output a table is printed")

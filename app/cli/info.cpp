@@ -175,7 +175,10 @@ void addInfoCommand(CLI::App& program, Command& chosen)
     };
     CLI::App& command = *program.add_subcommand("info", "what recordings hold");
     auto options = std::make_shared<InfoOptions>();
-    command.add_option("FILE", options->paths, "recordings (.csv, .csv.gz or .pwscan)")->required();
+    command
+        .add_option("FILE", options->paths,
+                    "recordings (.csv, .csv.gz or .pwscan), or clouds (.pcd, .ptx, .3d or a folder of these)")
+        ->required();
     command.add_flag("--json", options->json, "as JSON");
     command.callback([options, &chosen] { chosen = [options] { return info(options->paths, options->json); }; });
 }

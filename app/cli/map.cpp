@@ -21,6 +21,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/recording_file.h"
 #include "app/cli/stored_scan.h"
+#include "app/files/cloud_file.h"
 #include "app/files/file_kind.h"
 #include "app/files/input_file.h"
 #include "app/files/map_results.h"
@@ -55,8 +56,7 @@ struct StopInput {
     std::string name;
 };
 
-constexpr std::array<std::string_view, 4> kStopSuffixes{kRecordingSuffixes[0], kRecordingSuffixes[1],
-                                                        kRecordingSuffixes[2], ".json"};
+constexpr std::array<std::string_view, 7> kStopSuffixes{".csv", ".csv.gz", ".pwscan", ".pcd", ".ptx", ".3d", ".json"};
 
 bool isResult(const std::string& path)
 {
@@ -66,7 +66,7 @@ bool isResult(const std::string& path)
 Result<std::vector<StopInput>> stopInputs(const std::vector<std::string>& paths)
 {
     for (const std::string& path : paths) {
-        if (const auto known = suffixOf(path, kStopSuffixes, "a stop"); !known)
+        if (const auto known = suffixOf(path, kStopSuffixes, "a stop"); !known && !isCloudFile(path))
             return tl::unexpected{known.error()};
     }
     std::vector<StopInput> inputs;
@@ -367,9 +367,10 @@ void addMapCommand(CLI::App& program, Command& chosen)
     CLI::App& command = *program.add_subcommand("map", "several stops into one map of planes");
     auto options = std::make_shared<MapOptions>();
     command
-        .add_option(
-            "INPUT", options->inputs,
-            "recordings (.csv, .csv.gz, .pwscan with a stop for each scan), or planes that extract wrote (.json)")
+        .add_option("INPUT", options->inputs,
+                    "recordings (.csv, .csv.gz), a stop for each scan of a .pwscan or .ptx, other clouds (.pcd, .3d or "
+                    "a folder of "
+                    "these), or planes that extract wrote (.json)")
         ->required();
     command
         .add_option("--odometry", options->odometry,

@@ -12,7 +12,7 @@ namespace planewright {
 void addScanOption(CLI::App& command, int& scan)
 {
     addWholeNumber(command, "--scan", scan, 0, kMaxStep,
-                   "number of the scan in a .pwscan (default: the last that has slices)");
+                   "number of the scan in a .pwscan, .ptx or folder of .3d (default: the last that has slices)");
 }
 
 RecordingChoice chosenScan(int scan)

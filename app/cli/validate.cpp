@@ -82,7 +82,10 @@ void addValidateCommand(CLI::App& program, Command& chosen)
     };
     CLI::App& command = *program.add_subcommand("validate", "every problem that recordings have");
     auto options = std::make_shared<ValidateOptions>();
-    command.add_option("FILE", options->paths, "recordings (.csv, .csv.gz or .pwscan)")->required();
+    command
+        .add_option("FILE", options->paths,
+                    "recordings (.csv, .csv.gz or .pwscan), or clouds (.pcd, .ptx, .3d or a folder of these)")
+        ->required();
     command.add_flag("--json", options->json, "as JSON");
     command.callback([options, &chosen] { chosen = [options] { return validate(options->paths, options->json); }; });
 }

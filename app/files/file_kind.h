@@ -29,4 +29,11 @@ inline Result<std::string_view> suffixOf(const std::string& path, std::initializ
 inline constexpr std::array<std::string_view, 3> kRecordingSuffixes{".csv", ".csv.gz", ".pwscan"};
 inline constexpr std::string_view kPwscanSuffix = kRecordingSuffixes[2];
 
+/// Suffixes of clouds of points, which can be read as recordings and not written.
+inline constexpr std::array<std::string_view, 3> kCloudSuffixes{".pcd", ".ptx", ".3d"};
+inline constexpr std::string_view kPtxSuffix = kCloudSuffixes[1];
+
+/// Suffixes of all that can be read as a recording.
+inline constexpr std::array<std::string_view, 6> kScanSuffixes{".csv", ".csv.gz", ".pwscan", ".pcd", ".ptx", ".3d"};
+
 }  // namespace planewright

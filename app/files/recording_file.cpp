@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <utility>
 
+#include "app/files/cloud_file.h"
 #include "app/files/file_kind.h"
 #include "app/files/input_file.h"
 #include "core/formats/recording_csv.h"
@@ -26,15 +27,19 @@ Result<RecordingFile> read(const std::string& path, std::istream& input, const R
         Result<ReadPwscan> found = readRecordingPwscan(path, choice.scan);
         if (!found)
             return tl::unexpected{found.error()};
-        return RecordingFile{std::move(found->read.recording), found->read.damaged, found->read.slicesLeftOut,
-                             std::move(found->notes), std::move(found->read.warnings)};
+        return RecordingFile{std::move(found->read.recording),
+                             found->read.damaged,
+                             found->read.slicesLeftOut,
+                             std::move(found->notes),
+                             false,
+                             std::move(found->read.warnings)};
     }
     if (choice.scan)
-        return fail(ErrorCode::Usage, path + ": only a .pwscan holds several scans; leave --scan out");
+        return fail(ErrorCode::Usage, path + ": a .csv holds one scan; leave --scan out");
     Result<ReadRecording> found = readRecordingCsv(input, path);
     if (!found)
         return tl::unexpected{found.error()};
-    return RecordingFile{std::move(found->recording), found->damaged, found->slicesLeftOut, std::nullopt,
+    return RecordingFile{std::move(found->recording), found->damaged, found->slicesLeftOut, std::nullopt, false,
                          std::move(found->warnings)};
 }
 
@@ -54,6 +59,25 @@ Result<void> leaveSuspectsOut(RecordingFile& file, const std::string& path)
     return {};
 }
 
+/// A scan that cannot be imported is one problem: nothing of it is used.
+Result<RecordingProblems> problemsOfCloud(const std::string& path)
+{
+    const auto scans = scansOfCloudFile(path);
+    if (!scans)
+        return tl::unexpected{scans.error()};
+    RecordingProblems found;
+    for (const int scan : *scans) {
+        auto file = loadCloudFile(path, scan, {});
+        if (file)
+            found.warnings.insert(found.warnings.end(), file->warnings.begin(), file->warnings.end());
+        else if (found.problems.size() < kMaxListedProblems)
+            found.problems.push_back(file.error().message);
+        else
+            ++found.more;
+    }
+    return found;
+}
+
 }  // namespace
 
 Result<RecordingFile> loadRecordingFile(const std::string& path, const RecordingChoice& choice,
@@ -61,6 +85,8 @@ Result<RecordingFile> loadRecordingFile(const std::string& path, const Recording
 {
     if (const auto known = checkRecordingNames({path}); !known)
         return tl::unexpected{known.error()};
+    if (isCloudFile(path))
+        return loadCloudFile(path, choice.scan, stop);
     const auto input = openInput(path, stop);
     if (!input)
         return tl::unexpected{input.error()};
@@ -76,6 +102,14 @@ Result<RecordingFile> loadRecordingFile(const std::string& path, const Recording
 
 Result<std::vector<RecordingChoice>> scansOfRecordingFile(const std::string& path)
 {
+    if (isCloudFile(path)) {
+        return scansOfCloudFile(path).map([](const std::vector<int>& scans) {
+            std::vector<RecordingChoice> choices;
+            for (const int scan : scans)
+                choices.push_back({scan, false});
+            return choices;
+        });
+    }
     const auto input = openInput(path);
     if (!input)
         return tl::unexpected{input.error()};
@@ -92,6 +126,8 @@ Result<std::vector<RecordingChoice>> scansOfRecordingFile(const std::string& pat
 
 Result<RecordingProblems> problemsOfRecordingFile(const std::string& path)
 {
+    if (isCloudFile(path))
+        return problemsOfCloud(path);
     const auto input = openInput(path);
     if (!input)
         return tl::unexpected{input.error()};
@@ -101,7 +137,9 @@ Result<RecordingProblems> problemsOfRecordingFile(const std::string& path)
 Result<void> checkRecordingNames(const std::vector<std::string>& paths)
 {
     for (const std::string& path : paths) {
-        if (const auto suffix = suffixOf(path, kRecordingSuffixes, "a recording"); !suffix)
+        if (isCloudFile(path))
+            continue;
+        if (const auto suffix = suffixOf(path, kScanSuffixes, "a recording"); !suffix)
             return tl::unexpected{suffix.error()};
     }
     return {};

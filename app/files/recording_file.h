@@ -17,21 +17,23 @@ namespace planewright {
 
 /// What is read of a recording.
 struct RecordingChoice {
-    std::optional<int> scan;     ///< of a .pwscan; without a number the last with slices
+    std::optional<int> scan;     ///< of a .pwscan, .ptx or folder; without a number the last with slices
     bool keepsSuspects = false;  ///< slices whose angle may be wrong are among the slices
 };
 
-/// A recording, with what a .pwscan holds beside it.
+/// A recording, with what a .pwscan holds beside it, or an import of its scan.
 struct RecordingFile {
     Recording recording;
     bool damaged = false;   ///< something had to be left out
     int slicesLeftOut = 0;  ///< of these, the slices, as far as they can be counted
     std::optional<ScanNotes> notes;
+    bool isImported = false;            ///< made of points; edits have no place in its file
     std::vector<std::string> warnings;  ///< one line each, beginning with the file's name
 };
 
-/// Reads a recording of a kind known by its suffix (kRecordingSuffixes). A stop ends the reading of CSV soon. Errors:
-/// Usage for another suffix, or for a scan that is not in the file; Interrupted after a stop; Unreadable otherwise.
+/// Reads a recording of a kind known by its suffix (kScanSuffixes), or imports a cloud, or a folder of 3DTK (see
+/// loadCloudFile). A stop ends the reading of texts soon. Errors: Usage for another suffix, or for a scan that is not
+/// in the file; Interrupted after a stop; Unreadable otherwise.
 Result<RecordingFile> loadRecordingFile(const std::string& path, const RecordingChoice& choice = {},
                                         const std::stop_token& stop = {});
 
@@ -41,7 +43,7 @@ Result<std::vector<RecordingChoice>> scansOfRecordingFile(const std::string& pat
 /// Every problem of a recording. Errors (Unreadable): it cannot be opened.
 Result<RecordingProblems> problemsOfRecordingFile(const std::string& path);
 
-/// Finds out before any work whether all these names are of recordings. Errors: Usage.
+/// Finds out before any work whether all these names are of what can be read as a recording. Errors: Usage.
 Result<void> checkRecordingNames(const std::vector<std::string>& paths);
 
 /// Finds out before any work whether a recording may be written there, and gives the suffix. Errors: Usage for a name

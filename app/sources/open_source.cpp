@@ -103,7 +103,7 @@ Result<OpenedSource> openFile(const std::string& path, double speed, const Clock
         opened.damage =
             InputDamage{static_cast<int>(file->recording.slices.size()), file->slicesLeftOut, file->warnings};
     opened.warnings = std::move(file->warnings);
-    if (file->notes) {
+    if (file->notes && !file->isImported) {
         Result<std::vector<ParametersFrom>> parameters = readParameterEvents(file->notes->events, path);
         if (parameters)
             opened.parameters = std::move(*parameters);

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <string>
+#include <string_view>
 
 namespace planewright {
 
@@ -18,6 +19,17 @@ void appendLittleEndian(std::string& bytes, Number value)
     if constexpr (std::endian::native == std::endian::big)
         std::reverse(raw.begin(), raw.end());
     bytes.append(raw.data(), raw.size());
+}
+
+/// A number from its bytes, the lowest first; there must be as many as it has.
+template <class Number>
+Number readLittleEndian(std::string_view bytes)
+{
+    std::array<char, sizeof(Number)> raw{};
+    std::copy_n(bytes.begin(), raw.size(), raw.begin());
+    if constexpr (std::endian::native == std::endian::big)
+        std::reverse(raw.begin(), raw.end());
+    return std::bit_cast<Number>(raw);
 }
 
 }  // namespace planewright

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/formats/geometry_keys.h"
 #include "core/formats/message_text.h"
 #include "core/formats/recorded_slice.h"
 #include "core/formats/recording_csv.h"
@@ -123,8 +124,7 @@ ScanRecord ScanRow::read(const std::string& place)
         auto keys = readExtraJson(*extra, place + ", extra");
         if (keys)
             description.extra = std::move(*keys);
-        else
-            problem = "extra is no JSON object of a recording";
+        problem = keys ? takeGeometryKeys(description) : "extra is no JSON object of a recording";
     }
     return scan;
 }
@@ -145,7 +145,7 @@ Result<int> insertScan(SqlDatabase& database, const ScanRecord& scan)
     if (!insert)
         return tl::unexpected{insert.error()};
     const ScanDescription& description = scan.description;
-    const std::string extra = extraJson(description.extra);
+    const std::string extra = extraJson(keysOf(description));
     insert->bind(scan.name)
         .bind(std::int64_t{scan.floor})
         .bind(scan.startedUtc)

@@ -129,6 +129,10 @@ std::optional<ScanSlice> SliceRows::read()
     slice.tiltEnd = angle(kPitchEnd, "pitch_end_deg", true);
     slice.tiltCommanded = angle(kCommanded, "pitch_commanded_deg", true);
     const auto bearing = angle(kBearing, "bearing_start_deg", true);
+    if (description_.beamTable && !description_.beamTable->isSeenAt(slice.tilt))
+        tell("pitch_deg looks away from the image");
+    if (bearing && description_.beamTable)
+        tell("bearing_start_deg has no meaning beside beam_bearings_deg");
     const auto flags = row_.integerIf(kFlags);
     if (!flags)
         tell("flags is no whole number");
@@ -138,9 +142,9 @@ std::optional<ScanSlice> SliceRows::read()
     time_ = time;
     slice.step = static_cast<int>(*step);
     slice.time = std::chrono::microseconds{*time};
-    slice.firstBearing = bearing.value_or(description_.firstBearing);
+    slice.firstBearing = bearing.value_or(0.0);
     slice.ownBearing = bearing.has_value();
-    slice.bearingStep = description_.bearingStep;
+    layBeams(slice, description_);
     slice.angleSuspect = (*flags & kSliceAngleSuspect) != 0;
     slice.timeSuspect = (*flags & kSliceTimeSuspect) != 0;
     slice.retaken = (*flags & kSliceRetaken) != 0;

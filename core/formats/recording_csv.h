@@ -13,10 +13,8 @@
 
 namespace planewright {
 
-/// Largest step number, and most ranges in all, that a recording file may hold: far beyond any scanner, and small
-/// enough that a hostile file cannot take the memory (2^27 ranges are 1 GiB).
+/// Largest step number that a recording file may hold.
 inline constexpr int kMaxStep = 1'000'000'000;
-inline constexpr std::size_t kMaxRanges = std::size_t{1} << 27;
 
 /// Largest range a file may hold [mm].
 inline constexpr int kMaxRangeMillimetres = 1'000'000;

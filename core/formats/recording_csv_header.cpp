@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/formats/geometry_keys.h"
 #include "core/formats/number_cells.h"
 #include "core/formats/number_text.h"
 #include "core/types/angle.h"
@@ -70,6 +71,7 @@ private:
     void setKey(std::string_view key, std::string_view value);
     void setNumber(std::size_t index, std::string_view text);
     bool readColumns(std::string_view line);
+    bool takeGeometry();
     void checkCompleteness();
     void checkValues();
     void fillDescription();
@@ -109,7 +111,7 @@ std::optional<RecordingHeader> HeaderReader::read()
         checkCompleteness();
         checkValues();
         fillDescription();
-        if (problems_.endsReading() || !readColumns(*line))
+        if (problems_.endsReading() || !readColumns(*line) || !takeGeometry())
             return std::nullopt;
         return header_;
     }
@@ -167,6 +169,8 @@ void HeaderReader::setKey(std::string_view key, std::string_view value)
                 key);
     } else {
         header_.description.extra.emplace_back(key, value);
+        if (isGeometryKey(key) || key.starts_with("recovered_"))
+            return;
         warnings_.push_back(placeInFile(problems_.fileName(), lines_.number(), 0, key) +
                             "the key is not known; it is kept and not used");
     }
@@ -281,6 +285,16 @@ bool HeaderReader::readColumns(std::string_view line)
     }
     header_.description.beams = static_cast<int>(ranges);
     return true;
+}
+
+bool HeaderReader::takeGeometry()
+{
+    std::string problem = takeGeometryKeys(header_.description);
+    if (problem.empty() && header_.bearingStart && header_.description.beamTable)
+        problem = "the column bearing_start_deg has no meaning beside beam_bearings_deg";
+    if (!problem.empty())
+        add("in the header above " + problem + "; correct or remove it");
+    return problem.empty();
 }
 
 }  // namespace

@@ -143,6 +143,8 @@ bool RowReader::readLeadingCells(std::size_t lineNumber, ProblemList& problems)
         return value;
     };
     pitch_ = angle(leading_[2]).value_or(0.0);
+    if (header_.description.beamTable && !header_.description.beamTable->isSeenAt(pitch_))
+        bad(leading_[2], "looks away from the image that beam_image_pitch_deg tells of; correct one of them");
     if (header_.pitchEnd)
         pitchEnd_ = angle(leading_[3]);
     if (header_.bearingStart)
@@ -176,9 +178,9 @@ ScanSlice RowReader::slice() const
     slice.time = *time_;
     slice.tilt = pitch_;
     slice.tiltEnd = pitchEnd_;
-    slice.firstBearing = bearingStart_.value_or(header_.description.firstBearing);
+    slice.firstBearing = bearingStart_.value_or(0.0);
     slice.ownBearing = bearingStart_.has_value();
-    slice.bearingStep = header_.description.bearingStep;
+    layBeams(slice, header_.description);
     slice.ranges = ranges_;
     return slice;
 }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <ostream>
 
+#include "core/formats/geometry_keys.h"
 #include "core/formats/gzip_text.h"
 #include "core/formats/number_text.h"
 #include "core/formats/recording_csv.h"
@@ -89,7 +90,7 @@ void appendHeader(std::string& text, const ScanDescription& description, Columns
     appendKey(text, "range_min_m", formatNumber(description.rangeMin));
     appendKey(text, "range_max_m", formatNumber(description.rangeMax));
     appendKey(text, "pitch_axis_offset_m", formatNumber(description.pitchAxisOffset));
-    for (const auto& [key, value] : description.extra)
+    for (const auto& [key, value] : keysOf(description))
         appendKey(text, key, value);
     text += "slice,time_s,pitch_deg";
     text += columns.pitchEnd ? ",pitch_end_deg" : "";

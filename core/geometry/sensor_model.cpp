@@ -12,7 +12,12 @@ namespace planewright {
 
 SensorModel sensorOf(const ScanDescription& description)
 {
-    return {description.pitchAxisOffset, description.rangeMin, description.rangeMax};
+    SensorModel sensor{description.pitchAxisOffset, description.rangeMin, description.rangeMax};
+    if (description.isTurned()) {
+        sensor.attitude = description.attitude.toRotationMatrix();
+        sensor.isTurned = true;
+    }
+    return sensor;
 }
 
 namespace {
@@ -28,8 +33,9 @@ Eigen::Vector3d toCartesian(double range, const BeamDirection& beam, const Senso
 {
     const double ahead = range * beam.sinBearing;
     // cos(φ − π/2) = sin φ and sin(φ − π/2) = −cos φ.
-    return {range * beam.cosBearing, ahead * beam.sinTilt + sensor.pitchAxisOffset * beam.cosTilt,
-            -ahead * beam.cosTilt + sensor.pitchAxisOffset * beam.sinTilt};
+    const Eigen::Vector3d point{range * beam.cosBearing, ahead * beam.sinTilt + sensor.pitchAxisOffset * beam.cosTilt,
+                                -ahead * beam.cosTilt + sensor.pitchAxisOffset * beam.sinTilt};
+    return sensor.turned(point);
 }
 
 Eigen::Vector3d toCartesian(double range, double bearing, double tilt, const SensorModel& sensor)
@@ -45,6 +51,8 @@ Eigen::Matrix3d cartesianJacobian(double range, double bearing, double tilt, con
     Eigen::Matrix3d jacobian;
     jacobian << Eigen::Map<const Eigen::Vector3d>(j.byRange), Eigen::Map<const Eigen::Vector3d>(j.byBearing),
         Eigen::Map<const Eigen::Vector3d>(j.byTilt);
+    if (sensor.isTurned)
+        jacobian = (sensor.attitude * jacobian).eval();
     return jacobian;
 }
 
@@ -60,6 +68,8 @@ Eigen::Matrix3d cartesianCovariance(double range, const BeamDirection& beam, con
         for (int column = 0; column < 3; ++column)
             covariance(row, column) = numbers[row][column];
     }
+    if (sensor.isTurned)
+        covariance = (sensor.attitude * covariance * sensor.attitude.transpose()).eval();
     return covariance;
 }
 

@@ -15,7 +15,15 @@ struct SensorModel {
     double pitchAxisOffset = 0.05;  ///< d_l [m]
     double rangeMin = 0.1;          ///< [m]
     double rangeMax = 30.0;         ///< [m]
+    /// From the frame of Eq. (6) to the recording's; the identity unless isTurned.
+    Eigen::Matrix3d attitude = Eigen::Matrix3d::Identity();
+    bool isTurned = false;
 
+    /// A direction or point of the frame of Eq. (6) in the recording's.
+    Eigen::Vector3d turned(const Eigen::Vector3d& vector) const
+    {
+        return isTurned ? Eigen::Vector3d(attitude * vector) : vector;
+    }
     /// True where a range is a return: not zero and within the limits.
     bool hasEcho(double range) const { return range > 0.0 && range >= rangeMin && range <= rangeMax; }
 };
@@ -37,7 +45,7 @@ Eigen::Matrix3d cartesianCovariance(double range, const BeamDirection& beam, con
                                     const NoiseParameters& noise);
 
 /// The point of a range [m] at a bearing θ and a tilt φ [rad], Eq. (6): x right, y forward, z up, origin on the pitch
-/// axis [m].
+/// axis [m]; turned to the recording's frame, as all below.
 Eigen::Vector3d toCartesian(double range, double bearing, double tilt, const SensorModel& sensor);
 
 /// J of Eq. (15): derivatives of Eq. (6) by range, bearing and tilt, one column each. Entry (3,1) is −sin θ cos φ; the

@@ -37,6 +37,14 @@ SegmentStatistics statisticsOf(const LineSegment& segment, const SliceFrame& fra
     return s;
 }
 
+/// A published segment in the frame of Eq. (6).
+LineSegment turnedBack(LineSegment segment, const SensorModel& sensor)
+{
+    if (sensor.isTurned)
+        turn(segment, sensor.attitude.transpose());
+    return segment;
+}
+
 /// The segments alone, as if nothing else had been seen; `steps` gets the segments' own ids by their number.
 TrackMap mapOf(const SegmentSlices& slices, const Refit& refit, std::vector<SegmentId>& ids)
 {
@@ -51,7 +59,7 @@ TrackMap mapOf(const SegmentSlices& slices, const Refit& refit, std::vector<Segm
         const SliceFrame frame = frameOf(slice.tilt, sensor);
         std::vector<SegmentStatistics> statistics;
         for (const LineSegment& segment : slice.segments) {
-            statistics.push_back(statisticsOf(segment, frame));
+            statistics.push_back(statisticsOf(turnedBack(segment, sensor), frame));
             ids.push_back(segment.id);
         }
         map.append(scan, sensor, statistics);
@@ -71,12 +79,12 @@ Parameters parametersOf(const Refit& refit)
 }
 
 /// Where a plane of all these points is about: the start of its fit.
-PlaneEstimate startOf(const SegmentSlices& slices)
+PlaneEstimate startOf(const SegmentSlices& slices, const SensorModel& sensor)
 {
     PointMoments all;
     for (const SegmentSlice& slice : slices) {
         for (const LineSegment& segment : slice.segments)
-            all += segment.moments;
+            all += turnedBack(segment, sensor).moments;
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(all.scatter);
     const Eigen::Vector3d normal = axes.eigenvectors().col(0);
@@ -109,7 +117,8 @@ std::optional<Plane> refitTracks(const SegmentSlices& slices, const Refit& refit
     const Parameters parameters = parametersOf(refit);
     std::vector<SegmentNumber> all(ids.size());
     std::iota(all.begin(), all.end(), 0);
-    if (map.makePlane(std::move(all), startOf(slices), slices.back().step, parameters) == nullptr)
+    if (map.makePlane(std::move(all), startOf(slices, sensorOf(refit.description)), slices.back().step, parameters) ==
+        nullptr)
         return std::nullopt;
     refineTracks(map, parameters);
     std::vector<Plane> planes = publishedPlanes(map, ids);

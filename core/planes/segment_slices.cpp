@@ -17,12 +17,16 @@ namespace {
 /// and nothing else.
 double tiltOf(const Segments& segments, const ScanDescription& description)
 {
-    const Eigen::Vector3d& origin = segments.front().viewpoint;
+    const Eigen::Quaterniond back = description.attitude.conjugate();
+    const Eigen::Vector3d origin =
+        description.isTurned() ? back * segments.front().viewpoint : segments.front().viewpoint;
     if (description.pitchAxisOffset != 0.0)
         return std::atan2(origin.z() / description.pitchAxisOffset, origin.y() / description.pitchAxisOffset);
     Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
     for (const LineSegment& segment : segments) {
-        for (const Eigen::Vector3d& point : {segment.start, segment.end}) {
+        for (Eigen::Vector3d point : {segment.start, segment.end}) {
+            if (description.isTurned())
+                point = back * point;
             if (point.tail<2>().squaredNorm() > farthest.tail<2>().squaredNorm())
                 farthest = point;
         }

@@ -35,6 +35,7 @@ void TrackMap::append(const ScanSlice& slice, const SensorModel& sensor, std::sp
     tracked.end = tracked.first + static_cast<SegmentNumber>(segments.size());
     int beamShift = 0;
     if (slices_.empty()) {
+        sensor_ = sensor;
         bearingStep_ = slice.bearingStep;
         firstBearing_ = slice.firstBearing;
     } else {

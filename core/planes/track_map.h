@@ -95,6 +95,8 @@ public:
     /// Mean angle between neighbouring slices so far [rad].
     double meanTiltStep() const;
     double bearingStep() const { return bearingStep_; }
+    /// A direction of the frame that the planes are in, that of Eq. (6), in the recording's.
+    Eigen::Vector3d turned(const Eigen::Vector3d& vector) const { return sensor_.turned(vector); }
 
     const BeamSpan& beams(SegmentNumber number) const { return beams_[static_cast<std::size_t>(number)]; }
 
@@ -213,6 +215,7 @@ private:
     PlaneId nextPlane_ = 0;
     std::int64_t moment_ = 0;
     std::int64_t parametersSince_ = 0;
+    SensorModel sensor_;
     double bearingStep_ = 0.0;
     double firstBearing_ = 0.0;
     double tiltTravelled_ = 0.0;

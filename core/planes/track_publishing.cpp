@@ -115,6 +115,8 @@ Segments segmentsOf(int place, const TrackMap& map, const SensorModel& sensor, c
                 segment.moments.scatter(row, column) =
                     ofLength * along[row] * along[column] + ofThickness * across[row] * across[column];
         }
+        if (sensor.isTurned)
+            turn(segment, sensor.attitude);
     }
     return segments;
 }
@@ -126,12 +128,14 @@ std::shared_ptr<const Plane> publishedPlane(PlaneTrack& plane, const TrackMap& m
     auto shown = std::make_shared<Plane>();
     shown->id = plane.id;
     shown->revision = plane.revision;
-    shown->normal = plane.estimate.normal();
+    shown->normal = map.turned(plane.estimate.normal());
     shown->distance = plane.estimate.distance();
     shown->fittingError = meanErrorOf(plane);
     shown->rms = rmsOf(plane, map);
     makeCanonical(shown->normal, shown->distance);
     shown->tangents = tangentsOf(plane.estimate);
+    for (auto tangent : shown->tangents.colwise())
+        tangent = map.turned(tangent);
     // Where the segments scatter more than their noise tells, so does the plane.
     shown->covariance = std::max(1.0, shown->fittingError) * plane.estimate.covariance();
     shown->segments.reserve(plane.members.size());
@@ -150,7 +154,7 @@ std::shared_ptr<const DirectionCluster> publishedCluster(GrowingCluster& cluster
     if (!cluster.published) {
         auto shown = std::make_shared<DirectionCluster>();
         shown->id = cluster.id;
-        shown->direction = cluster.direction;
+        shown->direction = map.turned(cluster.direction);
         shown->segments.reserve(cluster.members.size());
         for (const auto& member : cluster.members)
             shown->segments.push_back(idOf(member.segment, map));

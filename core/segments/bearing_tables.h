@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "core/types/scan_slice.h"
@@ -20,6 +21,7 @@ public:
     struct Table {
         double firstBearing = 0.0;
         double bearingStep = 0.0;
+        std::shared_ptr<const std::vector<double>> bearings;  ///< where they are not evenly spaced
         std::vector<Number> cosine;
         std::vector<Number> sine;
     };
@@ -30,7 +32,7 @@ public:
         for (current_ = 0; current_ < tables_.size(); ++current_) {
             const Table& table = tables_[current_];
             if (table.cosine.size() == slice.ranges.size() && table.firstBearing == slice.firstBearing &&
-                table.bearingStep == slice.bearingStep)
+                table.bearingStep == slice.bearingStep && table.bearings == slice.bearings)
                 return;
         }
         if (tables_.size() < kKept)
@@ -40,6 +42,7 @@ public:
         Table& table = tables_[current_];
         table.firstBearing = slice.firstBearing;
         table.bearingStep = slice.bearingStep;
+        table.bearings = slice.bearings;
         table.cosine.resize(slice.ranges.size());
         table.sine.resize(slice.ranges.size());
         for (std::size_t i = 0; i < slice.ranges.size(); ++i) {

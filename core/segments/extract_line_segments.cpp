@@ -55,6 +55,8 @@ PointMoments momentsInSpace(const SlicePoints& points, const PointRun& piece, co
     Eigen::Matrix<double, 3, 2> axes;
     axes.col(0) = Eigen::Vector3d::UnitX();
     axes.col(1) = Eigen::Vector3d{0.0, middle.sinTilt, -middle.cosTilt};
+    if (sensor.isTurned)
+        axes = (sensor.attitude * axes).eval();
     PointMoments moments;
     moments.count = flat.points;
     moments.mean = axes * flat.centroid + toCartesian(0.0, middle, sensor);

@@ -17,4 +17,13 @@ PointMoments& PointMoments::operator+=(const PointMoments& other)
     return *this;
 }
 
+void turn(LineSegment& segment, const Eigen::Matrix3d& rotation)
+{
+    for (Eigen::Vector3d* vector :
+         {&segment.start, &segment.end, &segment.direction, &segment.viewpoint, &segment.moments.mean})
+        *vector = (rotation * *vector).eval();
+    for (Eigen::Matrix3d* matrix : {&segment.startCovariance, &segment.endCovariance, &segment.moments.scatter})
+        *matrix = (rotation * *matrix * rotation.transpose()).eval();
+}
+
 }  // namespace planewright

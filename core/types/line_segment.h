@@ -62,6 +62,9 @@ struct LineSegment {
     Eigen::Vector3d midpoint() const { return 0.5 * (start + end); }
 };
 
+/// Turns a segment about the origin, with all that it knows of its points.
+void turn(LineSegment& segment, const Eigen::Matrix3d& rotation);
+
 /// The line segments of one slice in bearing order.
 using Segments = std::vector<LineSegment>;
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,9 +25,15 @@ struct ScanSlice {
     bool angleSuspect = false;            ///< the pitch may be wrong: kept in recordings, and no planes are made of it
     bool timeSuspect = false;             ///< the time may be wrong
     bool retaken = false;                 ///< taken again after a fault
+    /// Bearing of each beam [rad], rising, where they are not evenly spaced; firstBearing and bearingStep are then that
+    /// of the first beam and the mean step of the recording.
+    std::shared_ptr<const std::vector<double>> bearings;
 
     /// Bearing θ of a beam [rad].
-    double bearing(std::size_t beam) const { return firstBearing + static_cast<double>(beam) * bearingStep; }
+    double bearing(std::size_t beam) const
+    {
+        return bearings ? (*bearings)[beam] : firstBearing + static_cast<double>(beam) * bearingStep;
+    }
 
     /// Pitch φ of a beam [rad].
     double tiltAt(std::size_t beam) const
