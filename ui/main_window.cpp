@@ -38,7 +38,7 @@ constexpr QLatin1String kBottomOrder[]{QLatin1String("chartsPanel"), QLatin1Stri
 constexpr int kBottomHeightSmall = 140;  ///< where the window is lower than this:
 constexpr int kLowWindow = 820;
 
-/// The one file that was dropped, where it is a file of this machine.
+/// The one file or folder that was dropped, where it is one of this machine.
 QString droppedFile(const QMimeData& data)
 {
     const QList<QUrl> urls = data.urls();
@@ -326,7 +326,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     const QString file = droppedFile(*event->mimeData());
-    if (!file.isEmpty() && QFileInfo(file).isFile())
+    const QFileInfo info(file);
+    if (!file.isEmpty() && (info.isFile() || info.isDir()))
         event->acceptProposedAction();
 }
 

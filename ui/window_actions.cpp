@@ -32,6 +32,7 @@ constexpr std::array kRows{
     Row{"&File", "actSave", "&Save", "Ctrl+S", "Everything is in the file at once"},
     Row{"&File", "actSaveCopy", "Save a &copy as…", "Ctrl+Shift+S", "Write the scan to another recording"},
     Row{"&File", "", "", "", "", kSeparator},
+    Row{"&File", "actImportCloud", "&Import cloud…", "", "Open points as a scan: organised PCD, PTX, or 3DTK's uos"},
     Row{"&File", "actExportPlanes", "Export &planes…", "Ctrl+E", "Planes as CSV, JSON, PLY, OBJ or DXF"},
     Row{"&File", "actExportPoints", "Export poin&ts…", "", "Points with the plane they are of, as PLY or PCD"},
     Row{"&File", "actExportSegments", "Export se&gments…", "", "Line segments as CSV or PLY"},

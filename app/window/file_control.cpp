@@ -42,6 +42,7 @@ FileControl::FileControl(WindowParts& parts, ScanControl& scan) : QObject(&parts
     };
     on("actOpen", [this] { openWithDialog(); });
     connect(&parts_.window->welcome(), &WelcomePage::openDialogRequested, this, &FileControl::openWithDialog);
+    on("actImportCloud", [this] { importWithDialog(); });
     on("actSave", [this] {
         const QString file = QString::fromStdString(parts_.session.status().recording);
         parts_.say(file.isEmpty() ? tr("This scan is not recorded; Save a copy as… writes it to a file.")
@@ -81,8 +82,20 @@ QString FileControl::folder() const
 
 void FileControl::openWithDialog()
 {
-    const QString file = QFileDialog::getOpenFileName(parts_.window.get(), tr("Open a recording"), folder(),
-                                                      tr("Recordings (*.pwscan *.csv *.csv.gz);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(
+        parts_.window.get(), tr("Open a recording"), folder(),
+        tr("Recordings (*.pwscan *.csv *.csv.gz);;Clouds (*.pcd *.ptx *.3d);;All files (*)"));
+    openChosen(file);
+}
+
+void FileControl::importWithDialog()
+{
+    openChosen(QFileDialog::getOpenFileName(parts_.window.get(), tr("Import a cloud"), folder(),
+                                            tr("Clouds (*.pcd *.ptx *.3d);;All files (*)")));
+}
+
+void FileControl::openChosen(const QString& file)
+{
     if (file.isEmpty())
         return;
     parts_.settings.setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath());
@@ -188,8 +201,9 @@ void FileControl::takeScreenshotWithOptions()
 
 void FileControl::validate()
 {
-    const QString file = QFileDialog::getOpenFileName(parts_.window.get(), tr("Validate a recording"), folder(),
-                                                      tr("Recordings (*.pwscan *.csv *.csv.gz)"));
+    const QString file =
+        QFileDialog::getOpenFileName(parts_.window.get(), tr("Validate a recording"), folder(),
+                                     tr("Recordings and clouds (*.pwscan *.csv *.csv.gz *.pcd *.ptx *.3d)"));
     if (file.isEmpty())
         return;
     parts_.say(tr("Checking %1…").arg(file));

@@ -21,6 +21,8 @@ public:
 
 private:
     void openWithDialog();
+    void importWithDialog();
+    void openChosen(const QString& file);
     void saveCopy();
     void exportWithDialog(ExportKind kind, const QString& title, const QString& name);
     void takeScreenshot();

@@ -34,7 +34,8 @@ std::optional<std::string_view> ByteReader::line(std::size_t longest)
         looked = length;
         if (!isWhole && fill())
             continue;
-        if (!isWhole && length == 0)
+        // What stands before the place where compressed data break off is no whole line.
+        if (!isWhole && (length == 0 || !problem().empty()))
             return std::nullopt;
         ++lines_;
         std::string_view text{buffer_.data() + begin_, length};

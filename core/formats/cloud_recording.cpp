@@ -97,7 +97,7 @@ Result<CloudRecording> recordingOf(CloudScan cloud, const std::string& place)
                     place + ": no nodding scanner explains these points: " + std::to_string(made.pointsLeftOut) +
                         " of " + std::to_string(points) + " are off by more than 1 mm on each metre, by up to " +
                         formatNumber(std::round(largestAngle * 1e4) / 10.0) +
-                        " mm. Give slices that are planar rows through one axis of the scanner, seen from the "
+                        " mm on each. Give slices that are planar rows through one axis of the scanner, seen from the "
                         "scanner at the origin, as they were measured");
     ScanDescription& description = made.recording.description;
     description.extra = {

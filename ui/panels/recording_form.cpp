@@ -47,7 +47,7 @@ RecordingForm::RecordingForm(QWidget* parent)
 
     file_->setObjectName(QStringLiteral("recordingFile"));
     file_->setAccessibleName(tr("Recording file"));
-    file_->setPlaceholderText(tr("A .pwscan, .csv or .csv.gz file"));
+    file_->setPlaceholderText(tr("A .pwscan, .csv or .csv.gz file, or a cloud"));
     browse->setObjectName(QStringLiteral("browseRecording"));
     browse->setAccessibleName(tr("Browse for a recording"));
     play_->setObjectName(QStringLiteral("playRecording"));
@@ -126,8 +126,9 @@ QString RecordingForm::address() const
 
 void RecordingForm::browse()
 {
-    const QString chosen = QFileDialog::getOpenFileName(this, tr("Open recording"), QFileInfo(file()).absolutePath(),
-                                                        tr("Recordings (*.pwscan *.csv *.csv.gz);;All files (*)"));
+    const QString chosen = QFileDialog::getOpenFileName(
+        this, tr("Open recording"), QFileInfo(file()).absolutePath(),
+        tr("Recordings (*.pwscan *.csv *.csv.gz);;Clouds (*.pcd *.ptx *.3d);;All files (*)"));
     if (!chosen.isEmpty())
         setFile(chosen);
 }

@@ -63,6 +63,7 @@ private slots:
     void covarianceIsSingularOnThePitchAxis();
     void rangesOutsideTheLimitsAreNoEcho();
     void aDescriptionGivesItsModel();
+    void anAttitudeTurnsPointsAndTheirCovariances();
 };
 
 void SensorModelTest::aLevelBeamAheadLiesAhead()
@@ -189,6 +190,26 @@ void SensorModelTest::aDescriptionGivesItsModel()
     QCOMPARE(sensor.pitchAxisOffset, 0.16);
     QCOMPARE(sensor.rangeMin, 0.02);
     QCOMPARE(sensor.rangeMax, 80.0);
+}
+
+void SensorModelTest::anAttitudeTurnsPointsAndTheirCovariances()
+{
+    // x right becomes z up: a scanner that turns about the vertical.
+    ScanDescription description;
+    description.pitchAxisOffset = 0.05;
+    description.rangeMax = 30.0;
+    const SensorModel level = sensorOf(description);
+    description.attitude = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ());
+    const Eigen::Matrix3d turn = description.attitude.toRotationMatrix();
+
+    const SensorModel sensor = sensorOf(description);
+
+    QVERIFY(isPoint(toCartesian(4.0, 0.0, degrees(90.0), {0.0, 0.1, 30.0}), {4.0, 0.0, 0.0}));
+    QVERIFY(isPoint(toCartesian(4.0, 0.7, 1.1, sensor), turn * toCartesian(4.0, 0.7, 1.1, level)));
+    QVERIFY(cartesianJacobian(4.2, 0.7, 1.1, sensor).isApprox(numericJacobian({4.2, 0.7, 1.1}, sensor), 1e-8));
+    const NoiseParameters noise;
+    QVERIFY(cartesianCovariance(4.2, 0.7, 1.1, sensor, noise)
+                .isApprox(turn * cartesianCovariance(4.2, 0.7, 1.1, level, noise) * turn.transpose(), 1e-12));
 }
 
 }  // namespace planewright
