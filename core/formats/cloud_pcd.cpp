@@ -77,7 +77,7 @@ bool PcdReader::take(const Eigen::Vector3d& point)
     if (beam == 0)
         scan_.slices.emplace_back();
     const Eigen::Vector3d place = point - header_.viewpoint;
-    if (!place.allFinite() || place.isZero(0.0))
+    if (!place.allFinite() || place.cast<float>().isZero(0.0F))
         return true;
     if (isTooFar(place))
         return false;

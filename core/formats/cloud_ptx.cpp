@@ -168,7 +168,7 @@ Result<std::optional<Eigen::Vector3d>> PtxReader::pointOf(std::string_view line)
         if (axis < 3)
             point[static_cast<Eigen::Index>(axis)] = *value;
     }
-    if (!point.allFinite() || point.isZero(0.0))
+    if (!point.allFinite() || point.cast<float>().isZero(0.0F))
         return std::nullopt;
     if (isTooFar(point))
         return failHere(std::string{kTooFar});

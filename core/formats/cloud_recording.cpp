@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "core/formats/geometry_keys.h"
+#include "core/formats/number_cells.h"
 #include "core/formats/number_text.h"
 #include "core/formats/recorded_slice.h"
 #include "core/geometry/recover_scanner.h"
 #include "core/geometry/sensor_model.h"
+#include "core/types/angle.h"
 #include "core/types/square.h"
 
 namespace planewright {
@@ -24,6 +26,12 @@ constexpr std::size_t kMostLeftOut = 1000;  ///< one point of so many
 std::string inMillimetres(double metres)
 {
     return formatNumber(std::round(metres * 1e6) / 1e3);
+}
+
+/// An angle [rad] as a text of degrees has it, in any kind of recording.
+double asInText(double radians)
+{
+    return degrees(readNumber<double>(formatNumber(toDegrees(radians))).value_or(0.0));
 }
 
 /// Holds all points against the recording; those that are too far off become no returns.
@@ -79,9 +87,12 @@ Result<CloudRecording> recordingOf(CloudScan cloud, const std::string& place)
     if (!recovered)
         return fail(recovered.error().code, place + ": " + recovered.error().message);
     CloudRecording made;
+    for (double* angle : {&recovered->description.firstBearing, &recovered->description.bearingStep})
+        *angle = asInText(*angle);
     made.recording.description = asWritten(std::move(recovered->description));
     made.recording.slices.reserve(recovered->slices.size());
     for (ScanSlice& slice : recovered->slices) {
+        slice.tilt = asInText(slice.tilt);
         ScanSlice written = asRecorded(std::move(slice));
         layBeams(written, made.recording.description);
         made.recording.slices.push_back(std::move(written));

@@ -22,7 +22,9 @@ constexpr double kEven = 1e-5;     ///< bearings that are off even spacing by le
 constexpr double kOutlier = 3e-3;  ///< bearings farther from the mean of their beam [rad] do not count for it
 constexpr double kFrontal =
     1.48;  ///< an image sees bearings within this of straight ahead, and pitches of its middle [rad]
-constexpr double kFewestSteps = 1e-9;  ///< [rad]
+constexpr double kMostBeamsOfPoint = 16.0;  ///< beams for each return, in scans of more beams than:
+constexpr double kSmallScan = 1e6;
+constexpr double kLeastStep = 1e-7;  ///< [rad]
 
 /// Calls `visit(slice, beam, bearing)` for all points.
 template <class Visit>
@@ -95,7 +97,7 @@ void fillIn(std::vector<double>& bearings, const std::vector<BeamSum>& told)
     while (told[last].count == 0.0)
         --last;
     const double step =
-        last > first ? (bearings[last] - bearings[first]) / static_cast<double>(last - first) : kFewestSteps;
+        last > first ? (bearings[last] - bearings[first]) / static_cast<double>(last - first) : kLeastStep;
     for (std::size_t beam = 0; beam < first; ++beam)
         bearings[beam] = bearings[first] - step * static_cast<double>(first - beam);
     for (std::size_t beam = last + 1; beam < told.size(); ++beam)
@@ -214,7 +216,7 @@ double stepOf(const std::vector<SeenBearings>& slices)
     std::vector<double> steps;
     for (const SeenBearings& seen : slices) {
         for (std::size_t k = 1; k < seen.bearings.size(); ++k) {
-            if (seen.bearings[k] - seen.bearings[k - 1] > kFewestSteps)
+            if (seen.bearings[k] - seen.bearings[k - 1] > kLeastStep)
                 steps.push_back(seen.bearings[k] - seen.bearings[k - 1]);
         }
     }
@@ -261,6 +263,8 @@ Result<int> numberBeams(std::vector<SeenBearings>& slices)
         return fail(ErrorCode::Unreadable, "no two points of a slice are beside each other; it is no scan");
     std::vector<std::vector<double>> numbers;
     const double step = countSteps(slices, rough, numbers);
+    if (!(step > kLeastStep))
+        return fail(ErrorCode::Unreadable, "bearings do not rise; give the points in the order of measurement");
     const auto offsetOf = [&](std::size_t i) {
         double sum = 0.0;
         for (std::size_t k = 0; k < numbers[i].size(); ++k)
@@ -280,7 +284,12 @@ Result<int> numberBeams(std::vector<SeenBearings>& slices)
         }
     }
     const double beams = highest - lowest + 1.0;
-    if (!(beams <= kMaxBeams) || !(beams * static_cast<double>(slices.size()) <= static_cast<double>(kMaxRanges)))
+    double points = 0.0;
+    for (const SeenBearings& seen : slices)
+        points += static_cast<double>(seen.bearings.size());
+    // A few points far apart must not ask for the memory of a whole scan.
+    const double most = std::min(static_cast<double>(kMaxRanges), kMostBeamsOfPoint * points + kSmallScan);
+    if (!(beams <= kMaxBeams) || !(beams * static_cast<double>(slices.size()) <= most))
         return fail(ErrorCode::Unreadable, "the points are no slices of at most " + std::to_string(kMaxBeams) +
                                                " evenly spaced beams; give points in the order of measurement");
     for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -317,11 +326,14 @@ Result<BeamBearings> layBearings(const std::vector<SeenBearings>& slices, int be
         laid.table = table;
     }
     const bool rises = laid.table ? std::adjacent_find(laid.table->bearings.begin(), laid.table->bearings.end(),
-                                                       [](double a, double b) { return !(b - a > kFewestSteps); }) ==
+                                                       [](double a, double b) { return !(b - a > kLeastStep); }) ==
                                         laid.table->bearings.end()
-                                  : laid.step > kFewestSteps;
+                                  : laid.step > kLeastStep;
+    // Beams beyond those with points may be where no image has any.
+    const bool isAhead = !laid.table || !laid.table->imageTilt ||
+                         (laid.table->bearings.front() > 0.0 && laid.table->bearings.back() < 0.5 * kBearingTurn);
     const double last = laid.first + laid.step * (beams - 1);
-    if (!rises || laid.first < -kBearingTurn || last > kBearingTurn)
+    if (!rises || !isAhead || laid.first < -kBearingTurn || last > kBearingTurn)
         return fail(ErrorCode::Unreadable,
                     "bearings do not rise from beam to beam; give the points of each slice in the order of its sweep");
     return laid;

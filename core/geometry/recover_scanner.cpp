@@ -41,6 +41,8 @@ Eigen::Matrix3d attitudeOf(const PitchAxis& axis)
 /// turn of zero.
 void unwrap(std::vector<double>& tilts)
 {
+    if (tilts.empty())
+        return;
     for (std::size_t i = 1; i < tilts.size(); ++i)
         tilts[i] -= kPitchTurn * std::round((tilts[i] - tilts[i - 1]) / kPitchTurn);
     const auto [lowest, highest] = std::minmax_element(tilts.begin(), tilts.end());
@@ -108,6 +110,9 @@ Result<Recording> recoverScanner(CloudScan& cloud)
                     "there are no two slices with points in different planes; a scan has many, through one axis");
     const Eigen::Matrix3d attitude = attitudeOf(*axis);
     const PitchedSlices pitched = pitchedSlices(*axis, attitude);
+    if (pitched.numbers.size() < 2)
+        return fail(ErrorCode::Unreadable,
+                    "there are no two slices with points off their common axis; a scan has many");
     std::vector<SeenBearings> seen;
     for (std::size_t i = 0; i < pitched.numbers.size(); ++i) {
         CloudSlice& slice = cloud.slices[pitched.numbers[i]];

@@ -58,10 +58,12 @@ void CliConvertTest::unknownKindIsAnError_data()
                             << "b.xyz: the name of a recording tells its kind; known are .csv, .csv.gz, .pwscan";
     QTest::newRow("input") << "a.bag"
                            << "b.csv"
-                           << "a.bag: the name of a recording tells its kind; known are .csv, .csv.gz, .pwscan";
+                           << "a.bag: the name of a recording tells its kind; known are .csv, .csv.gz, .pwscan, "
+                              ".pcd, .ptx, .3d";
     QTest::newRow("no suffix") << "a"
                                << "b.csv"
-                               << "a: the name of a recording tells its kind; known are .csv, .csv.gz, .pwscan";
+                               << "a: the name of a recording tells its kind; known are .csv, .csv.gz, .pwscan, "
+                                  ".pcd, .ptx, .3d";
 }
 
 void CliConvertTest::unknownKindIsAnError()

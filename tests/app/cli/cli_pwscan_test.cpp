@@ -106,7 +106,7 @@ void CliPwscanTest::scanOfACsvIsWrongUsage()
     const ProgramRun run = runProgram({"extract", "a.csv", "--scan", "1"}, folder.path());
 
     QCOMPARE(run.code, 2);
-    QVERIFY(run.err.contains("only a .pwscan holds several scans"));
+    QVERIFY(run.err.contains("a .csv holds one scan"));
 }
 
 void CliPwscanTest::aScanOfSuspectSlicesAloneIsUnreadable()

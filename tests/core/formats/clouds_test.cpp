@@ -351,6 +351,8 @@ void CloudsTest::aRecordingOfACloudComesBackAsItWas()
     QVERIFY2(read, read ? "" : read.error().message.c_str());
     QCOMPARE(read->warnings.size(), std::size_t(0));
     const Recording& back = read->recording;
+    QVERIFY(back.description.firstBearing == made->recording.description.firstBearing);
+    QVERIFY(back.description.bearingStep == made->recording.description.bearingStep);
     QVERIFY(back.description.attitude.coeffs() == made->recording.description.attitude.coeffs());
     QVERIFY(back.description.extra == made->recording.description.extra);
     QVERIFY(back.description.beamTable->bearings == made->recording.description.beamTable->bearings);
