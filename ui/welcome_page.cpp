@@ -145,8 +145,8 @@ void WelcomePage::addCards(QVBoxLayout* page)
     connect(play, &QPushButton::clicked, this, &WelcomePage::sampleRequested);
 
     QVBoxLayout* open = addCard(cards_, tr("Open a recording"),
-                                tr("A .pwscan project, a recording as .csv or .csv.gz, or a cloud as .pcd, .ptx or "
-                                   ".3d. Files can also be dropped onto this window."),
+                                tr("A .pwscan project, or a recording as .csv or .csv.gz. Files can also be dropped "
+                                   "onto this window."),
                                 lines_);
     QPushButton* choose = addButton(tr("Open…"), QStringLiteral("welcomeOpen"));
     open->addWidget(choose);

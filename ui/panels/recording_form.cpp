@@ -47,7 +47,7 @@ RecordingForm::RecordingForm(QWidget* parent)
 
     file_->setObjectName(QStringLiteral("recordingFile"));
     file_->setAccessibleName(tr("Recording file"));
-    file_->setPlaceholderText(tr("A .pwscan, .csv or .csv.gz file, or a cloud"));
+    file_->setPlaceholderText(tr("A .pwscan, .csv or .csv.gz file"));
     browse->setObjectName(QStringLiteral("browseRecording"));
     browse->setAccessibleName(tr("Browse for a recording"));
     play_->setObjectName(QStringLiteral("playRecording"));

@@ -34,7 +34,7 @@ QList<QStringList> cloudTable()
     return table;
 }
 
-Result<void> made(Result<CloudScan> cloud, const std::string& name)
+Result<void> recordingMadeOf(Result<CloudScan> cloud, const std::string& name)
 {
     if (!cloud)
         return tl::unexpected{cloud.error()};
@@ -47,15 +47,15 @@ Result<void> readWhole(const std::string& name)
     const auto open = [&] { return std::ifstream{kClouds.toStdString() + "/" + name, std::ios::binary}; };
     std::ifstream in = open();
     if (name.ends_with(".pcd"))
-        return made(readCloudPcd(in, name), name);
+        return recordingMadeOf(readCloudPcd(in, name), name);
     if (name.ends_with(".3d"))
-        return made(readCloudUos(in, name), name);
+        return recordingMadeOf(readCloudUos(in, name), name);
     if (name.ends_with(".pose"))
         return readPoseUos(in, name).map([](const Pose&) {});
     const auto scans = scansOfPtx(in, name);
     for (int scan = 0; scan < scans.value_or(1); ++scan) {
         std::ifstream again = open();
-        if (auto one = made(readCloudPtx(again, name, scan), name); !one)
+        if (auto one = recordingMadeOf(readCloudPtx(again, name, scan), name); !one)
             return one;
     }
     return scans.map([](int) {});

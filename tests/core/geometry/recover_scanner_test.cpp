@@ -30,7 +30,7 @@ CloudPoint pointAlong(const Eigen::Vector3d& ray, int beam)
 }
 
 /// A ray of Eq. (6) without a lever arm.
-Eigen::Vector3d rayAt(double bearing, double tilt)
+Eigen::Vector3d beamAt(double bearing, double tilt)
 {
     return {std::cos(bearing), std::sin(bearing) * std::sin(tilt), -std::sin(bearing) * std::cos(tilt)};
 }
@@ -60,7 +60,7 @@ CloudScan noddingCloud(int slices, int beams, LeftOut leftOut)
         CloudSlice& slice = cloud.slices.emplace_back();
         for (int k = 0; k < beams; ++k) {
             if (!leftOut(i, k))
-                slice.push_back(pointAlong(rayAt(degrees(10.0 + 2.0 * k), degrees(40.0 + 3.0 * i)), k));
+                slice.push_back(pointAlong(beamAt(degrees(10.0 + 2.0 * k), degrees(40.0 + 3.0 * i)), k));
         }
     }
     return cloud;
@@ -209,7 +209,7 @@ void RecoverScannerTest::unevenBearingsAreATable()
     for (int i = 0; i < 25; ++i) {
         CloudSlice& slice = cloud.slices.emplace_back();
         for (int k = 0; k < 90; ++k)
-            slice.push_back(pointAlong(rayAt(bearingOf(k), degrees(50.0 + 2.0 * i)), k));
+            slice.push_back(pointAlong(beamAt(bearingOf(k), degrees(50.0 + 2.0 * i)), k));
     }
 
     const auto recording = recoverScanner(cloud);
@@ -246,7 +246,7 @@ void RecoverScannerTest::aWholeTurnKeepsTurning()
     for (int i = 0; i < 120; ++i) {
         CloudSlice& slice = cloud.slices.emplace_back();
         for (int k = 0; k < 31; ++k)
-            slice.push_back(pointAlong(rayAt(degrees(30.0 + 4.0 * k), degrees(3.0 * i)), k));
+            slice.push_back(pointAlong(beamAt(degrees(30.0 + 4.0 * k), degrees(3.0 * i)), k));
     }
 
     const auto recording = recoverScanner(cloud);
@@ -285,7 +285,7 @@ void RecoverScannerTest::sweepsEndWhereTheBearingTurnsBack()
     std::vector<Eigen::Vector3f> points;
     for (const double tilt : {80.0, 90.0, 100.0}) {
         for (double bearing = 30.0; bearing <= 150.0; bearing += 10.0)
-            points.push_back(rayAt(degrees(bearing), degrees(tilt)).cast<float>());
+            points.push_back(beamAt(degrees(bearing), degrees(tilt)).cast<float>());
     }
 
     const std::vector<CloudSlice> slices = splitSweeps(points);

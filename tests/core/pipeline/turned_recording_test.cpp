@@ -15,7 +15,7 @@ namespace planewright {
 
 namespace {
 
-std::shared_ptr<const Snapshot> extracted(const Recording& recording, const QString& preset)
+std::shared_ptr<const Snapshot> snapshotOf(const Recording& recording, const QString& preset)
 {
     Parameters parameters;
     apply(*findPreset(methodPresets(), preset.toStdString()), parameters);
@@ -36,7 +36,7 @@ Recording scannedCorridor()
     return simulate(makeCorridor(3), settings, *simulationNoise("default"), 3).recording;
 }
 
-void presets()
+void bothPresets()
 {
     QTest::addColumn<QString>("preset");
     QTest::newRow("paper") << "paper";
@@ -50,9 +50,9 @@ class TurnedRecordingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void planesAndSegmentsTurnWithTheFrame_data() { presets(); }
+    void planesAndSegmentsTurnWithTheFrame_data() { bothPresets(); }
     void planesAndSegmentsTurnWithTheFrame();
-    void aTableOfEvenBearingsIsTheSameAsEvenSpacing_data() { presets(); }
+    void aTableOfEvenBearingsIsTheSameAsEvenSpacing_data() { bothPresets(); }
     void aTableOfEvenBearingsIsTheSameAsEvenSpacing();
 };
 
@@ -65,8 +65,8 @@ void TurnedRecordingTest::planesAndSegmentsTurnWithTheFrame()
     turned.description.attitude = Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5);
     const Eigen::Matrix3d turn = turned.description.attitude.toRotationMatrix();
 
-    const auto before = extracted(level, preset);
-    const auto after = extracted(turned, preset);
+    const auto before = snapshotOf(level, preset);
+    const auto after = snapshotOf(turned, preset);
 
     QVERIFY(!before->planes.empty());
     QCOMPARE(after->planes.size(), before->planes.size());
@@ -107,8 +107,8 @@ void TurnedRecordingTest::aTableOfEvenBearingsIsTheSameAsEvenSpacing()
     for (ScanSlice& slice : listed.slices)
         layBeams(slice, listed.description);
 
-    const auto before = extracted(even, preset);
-    const auto after = extracted(listed, preset);
+    const auto before = snapshotOf(even, preset);
+    const auto after = snapshotOf(listed, preset);
 
     QVERIFY(!before->planes.empty());
     QCOMPARE(after->planes.size(), before->planes.size());
