@@ -111,7 +111,11 @@ Result<ReadCloud> readCloud(const std::string& path, int scan, const std::stop_t
         const auto scans = uosScansIn(path);
         if (!scans)
             return tl::unexpected{scans.error()};
-        return readUos(scans->at(scan), stop);
+        const auto found = scans->find(scan);
+        if (found == scans->end())
+            return fail(ErrorCode::Unreadable,
+                        path + ": scan " + std::to_string(scan) + " is not there any more; check the folder");
+        return readUos(found->second, stop);
     }
     if (hasSuffix(path, kUosSuffix))
         return readUos(path, stop);
