@@ -150,7 +150,8 @@ std::string recoveredText(const std::string& place, const CloudRecording& made)
 
 bool isCloudFile(const std::string& path)
 {
-    return suffixOf(path, kCloudSuffixes, "").has_value() || isFolder(path);
+    return suffixOf(path, kCloudSuffixes, "").has_value() ||
+           (isFolder(path) && !suffixOf(path, kRecordingSuffixes, "").has_value());
 }
 
 Result<std::vector<int>> scansOfCloudFile(const std::string& path)

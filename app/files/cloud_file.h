@@ -13,8 +13,8 @@
 
 namespace planewright {
 
-/// True for what is imported as points: a name that ends in one of kCloudSuffixes, and a folder, which holds scans of
-/// 3DTK (scanNNN.3d).
+/// True for what is imported as points: a name that ends in one of kCloudSuffixes, and a folder whose name is not that
+/// of a recording, which holds scans of 3DTK (scanNNN.3d).
 bool isCloudFile(const std::string& path);
 
 /// The numbers of the scans of a file or folder: of a .ptx from 0, of a folder those of its names, of any other file 0.
