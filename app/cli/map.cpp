@@ -369,8 +369,7 @@ void addMapCommand(CLI::App& program, Command& chosen)
     command
         .add_option("INPUT", options->inputs,
                     "recordings (.csv, .csv.gz), a stop for each scan of a .pwscan or .ptx, other clouds (.pcd, .3d or "
-                    "a folder of "
-                    "these), or planes that extract wrote (.json)")
+                    "a folder of these), or planes that extract wrote (.json)")
         ->required();
     command
         .add_option("--odometry", options->odometry,

@@ -33,7 +33,7 @@ struct ScanDescription {
     double rangeMax = 0.0;         ///< farthest range that counts as a return [m]
     double pitchAxisOffset = 0.0;  ///< d_l of Eq. (6): from the pitch axis to the laser [m]
     std::vector<std::pair<std::string, std::string>> extra;  ///< unknown header keys, kept as they came
-    std::shared_ptr<const BeamTable> beamTable;              ///< of beams that are not evenly spaced; else empty
+    std::shared_ptr<const BeamTable> beamTable{};            ///< of beams that are not evenly spaced; else empty
     /// From the frame of Eq. (6), whose x is the pitch axis, to the recording's own, in which planes are told: not the
     /// identity where the axis is another one, as that of a scanner that turns about the vertical.
     Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
