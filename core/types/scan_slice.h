@@ -27,7 +27,7 @@ struct ScanSlice {
     bool retaken = false;                 ///< taken again after a fault
     /// Bearing of each beam [rad], rising, where they are not evenly spaced; firstBearing and bearingStep are then that
     /// of the first beam and the mean step of the recording.
-    std::shared_ptr<const std::vector<double>> bearings;
+    std::shared_ptr<const std::vector<double>> bearings{};
 
     /// Bearing θ of a beam [rad].
     double bearing(std::size_t beam) const
