@@ -201,7 +201,7 @@ Result<void> MapBuilder::match(std::size_t stop, std::size_t plane, std::optiona
         return {};
     removeSighting(map_, {stop, plane});
     PlaneMatch& match = map_.stops[stop].matches[plane];
-    match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0};
+    match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0, true};
     if (mapPlane)
         addSighting(map_, *mapPlane, {stop, plane});
     else

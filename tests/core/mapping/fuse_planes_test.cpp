@@ -22,6 +22,7 @@ private slots:
     void wallsThatDifferStayApart();
     void wallsThatDoNotMeetStayApart();
     void whatOneStopSawApartStaysApart();
+    void whatWasDecidedByHandStays();
     void whatMayBeOneOfTwoStaysOpen();
     void anOpenPlaneJoinsTheOneItFits();
     void anOpenPlaneThatFitsNothingIsNew();
@@ -127,6 +128,17 @@ void FusePlanesTest::whatOneStopSawApartStaysApart()
 {
     FusedMap fused;
     fused.addStop({wallAt(4.0, 0.0, 2.0), wallAt(3.98, 0.5, 1.5)});
+
+    QCOMPARE(fused.fuse(), 0);
+    QCOMPARE(fused.planes(), std::size_t(2));
+}
+
+void FusePlanesTest::whatWasDecidedByHandStays()
+{
+    FusedMap fused;
+    fused.addStop({wallAt(4.0, 0.0, 2.0)});
+    fused.addStop({wallAt(4.003, 1.5, 5.0)});
+    fused.map.stops[1].matches[0].isByHand = true;
 
     QCOMPARE(fused.fuse(), 0);
     QCOMPARE(fused.planes(), std::size_t(2));
