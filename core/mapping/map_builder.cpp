@@ -165,10 +165,12 @@ Result<void> MapBuilder::match(std::size_t stop, std::size_t plane, std::optiona
     removeSighting(map_, {stop, plane});
     PlaneMatch& match = map_.stops[stop].matches[plane];
     match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0};
-    if (mapPlane)
-        addSighting(map_, *mapPlane, {stop, plane});
-    else
+    if (!mapPlane) {
         match.plane = addPlane(map_, {stop, plane});
+        return {};
+    }
+    match.chiSquare = chiSquareOf(map_, {stop, plane}, *mapPlane);
+    addSighting(map_, *mapPlane, {stop, plane});
     return {};
 }
 
