@@ -197,15 +197,19 @@ Result<void> MapBuilder::match(std::size_t stop, std::size_t plane, std::optiona
         return fail(ErrorCode::Usage, "There is no such plane of a stop that is placed in the map.");
     if (mapPlane && (*mapPlane >= map_.planes.size() || map_.planes[*mapPlane].sightings.empty()))
         return fail(ErrorCode::Usage, "The map has no plane " + std::to_string(*mapPlane) + ".");
-    if (mapPlane == map_.stops[stop].matches[plane].plane && mapPlane)
+    if (mapPlane == map_.stops[stop].matches[plane].plane && mapPlane) {
+        map_.stops[stop].matches[plane].isByHand = true;
         return {};
+    }
     removeSighting(map_, {stop, plane});
     PlaneMatch& match = map_.stops[stop].matches[plane];
     match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0, true};
-    if (mapPlane)
-        addSighting(map_, *mapPlane, {stop, plane});
-    else
+    if (!mapPlane) {
         match.plane = addPlane(map_, {stop, plane});
+        return {};
+    }
+    match.chiSquare = chiSquareOf(map_, {stop, plane}, *mapPlane);
+    addSighting(map_, *mapPlane, {stop, plane});
     return {};
 }
 

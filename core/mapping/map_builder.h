@@ -11,10 +11,10 @@
 #include "core/mapping/adjust_map.h"
 #include "core/mapping/building_map.h"
 #include "core/mapping/decide_stop.h"
-#include "core/mapping/mapping_parameters.h"
 #include "core/mapping/match_stop.h"
 #include "core/mapping/stop_index.h"
 #include "core/mapping/stop_tree.h"
+#include "core/params/mapping_parameters.h"
 #include "core/types/error.h"
 
 namespace planewright {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "app/files/map_results.h"
+#include "app/mapping/map_results.h"
 
 #include <algorithm>
 #include <map>
