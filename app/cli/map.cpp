@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -13,84 +10,21 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "app/cli/map_floors.h"
+#include "app/cli/map_options.h"
+#include "app/cli/map_outputs.h"
 #include "app/cli/map_report.h"
 #include "app/cli/number_option.h"
-#include "app/cli/output_files.h"
 #include "app/cli/parameter_options.h"
 #include "app/cli/progress.h"
-#include "app/cli/recording_file.h"
 #include "app/cli/stored_scan.h"
-#include "app/files/cloud_file.h"
-#include "app/files/file_kind.h"
 #include "app/files/input_file.h"
-#include "app/files/map_results.h"
-#include "core/formats/floor_plan_svg.h"
-#include "core/formats/planes_dxf.h"
-#include "core/formats/planes_json.h"
-#include "core/formats/recording_pwscan.h"
+#include "app/mapping/map_edits.h"
+#include "app/mapping/stop_inputs.h"
 #include "core/formats/trajectory_tum.h"
 
 namespace planewright {
 
 namespace {
-
-struct MapOptions {
-    std::vector<std::string> inputs;
-    std::string odometry, output, poses, floorPoses;
-    std::vector<std::string> planes, floorPlans;
-    double cutHeight = 1.0;  ///< above the floor [m]
-    double scale = 100.0;    ///< of a plan as SVG
-    bool noOdometry = false;
-    bool noEdits = false;
-    bool overwrite = false;
-    ParameterOptions parameters;
-};
-
-constexpr std::array<std::string_view, 2> kPlanSuffixes{".dxf", ".svg"};
-
-/// A scan of an input.
-struct StopInput {
-    std::string path;
-    RecordingChoice choice;
-    std::string name;
-};
-
-constexpr std::array<std::string_view, 7> kStopSuffixes{".csv", ".csv.gz", ".pwscan", ".pcd", ".ptx", ".3d", ".json"};
-
-bool isResult(const std::string& path)
-{
-    return suffixOf(path, {".json"}, "").has_value();
-}
-
-Result<std::vector<StopInput>> stopInputs(const std::vector<std::string>& paths)
-{
-    for (const std::string& path : paths) {
-        if (const auto known = suffixOf(path, kStopSuffixes, "a stop"); !known && !isCloudFile(path))
-            return tl::unexpected{known.error()};
-    }
-    std::vector<StopInput> inputs;
-    for (const std::string& path : paths) {
-        if (isResult(path)) {
-            inputs.push_back({path, {}, path});
-            continue;
-        }
-        const auto scans = scansOfRecordingFile(path);
-        if (!scans)
-            return tl::unexpected{scans.error()};
-        for (const RecordingChoice& choice : *scans)
-            inputs.push_back({path, choice, choice.scan ? path + ", scan " + std::to_string(*choice.scan) : path});
-    }
-    return inputs;
-}
-
-/// All that a map is made from.
-struct MapInput {
-    std::vector<StopInput> inputs;
-    std::vector<StopScan> stops;
-    Parameters parameters;  ///< of the last extraction
-    bool damaged = false;
-};
 
 template <class Read>
 auto readFile(const std::string& path, Read read) -> decltype(read(std::declval<std::istream&>()))
@@ -101,35 +35,24 @@ auto readFile(const std::string& path, Read read) -> decltype(read(std::declval<
     return read(**input);
 }
 
-Result<MapInput> extractStops(const MapOptions& options)
+Result<MapInput> extractStops(const MapOptions& options, std::vector<StopInput> inputs)
 {
-    auto inputs = stopInputs(options.inputs);
-    if (!inputs)
-        return tl::unexpected{inputs.error()};
-    MapInput all{std::move(*inputs), {}, {}, false};
+    MapInput all{std::move(inputs), {}, {}, {}, false};
+    const auto choose = [&options](const RecordingFile& file, const std::string& path) {
+        return parametersOverSteps(file, file.recording.description.scanner, path, -1, options.parameters);
+    };
     Progress progress("extracting, stop");
     for (const StopInput& input : all.inputs) {
         progress.show(all.stops.size(), all.inputs.size());
-        if (isResult(input.path)) {
-            auto planes = readFile(input.path, [&](std::istream& in) { return readPlaneResultsJson(in, input.path); });
-            if (!planes)
-                return tl::unexpected{planes.error()};
-            all.stops.push_back({input.name, 0, {}, std::move(*planes)});
-            continue;
-        }
-        const auto file = readRecordingFile(input.path, input.choice);
-        if (!file)
-            return tl::unexpected{file.error()};
-        auto extraction = extractStoredScan(*file, input.path, options.parameters, options.noEdits);
-        if (!extraction)
-            return tl::unexpected{extraction.error()};
-        all.damaged = all.damaged || file->damaged;
-        all.parameters = extraction->parameters;
-        StopScan& stop = all.stops.emplace_back(StopScan{input.name, 0, {}, std::move(extraction->planes)});
-        if (file->notes) {
-            stop.floor = file->notes->scan.floor;
-            stop.odometry = file->notes->scan.pose;
-        }
+        auto read = readStop(input, choose, options.noEdits);
+        if (!read)
+            return tl::unexpected{read.error()};
+        for (const std::string& warning : read->warnings)
+            printWarning(warning);
+        all.damaged = all.damaged || read->damaged;
+        if (read->parameters)
+            all.parameters = *read->parameters;
+        all.stops.push_back(std::move(read->scan));
     }
     return all;
 }
@@ -184,172 +107,40 @@ Result<std::map<int, Pose>> floorFrames(const MapOptions& options, const std::ve
     return frames;
 }
 
-/// A scan as it was read, as one of the stops of a project.
-Result<WrittenScan> stopScan(const StopInput& input, const StopScan& stop)
+Result<ExitCode> mapStops(MapOptions options)
 {
-    auto file = readRecordingFile(input.path, input.choice);
-    if (!file)
-        return tl::unexpected{file.error()};
-    WrittenScan scan{std::move(file->recording), {}};
-    if (file->notes) {
-        scan.notes = std::move(*file->notes);
-    } else {
-        scan.notes.scan.state = ScanState::Complete;
-        scan.notes.scan.name = input.path;
-    }
-    scan.notes.scan.floor = stop.floor;
-    scan.notes.scan.pose = stop.odometry;
-    return scan;
-}
-
-/// Opens outputs and writes them once the map is there.
-class MapOutputs {
-public:
-    explicit MapOutputs(const MapOptions& options) : options_(options), files_(options.overwrite)
-    {
-        for (const std::string& input : options.inputs)
-            files_.protect(input);
-        for (const std::string* input : {&options.odometry, &options.floorPoses}) {
-            if (!input->empty())
-                files_.protect(*input);
-        }
-    }
-
-    Result<void> open()
-    {
-        if (auto opened = open(options_.planes, kPlanesSuffixes, "the planes", planes_); !opened)
-            return opened;
-        if (auto opened = open(options_.floorPlans, kPlanSuffixes, "a floor plan", plans_); !opened)
-            return opened;
-        if (!options_.output.empty()) {
-            if (const auto target = checkRecordingTarget(options_.output); !target)
-                return tl::unexpected{target.error()};
-            const auto result = std::ranges::find_if(options_.inputs, isResult);
-            if (result != options_.inputs.end())
-                return fail(ErrorCode::Usage, *result + ": has planes, but no slices for -o; give the recording");
-            constexpr std::array<std::string_view, 1> kProject{kPwscanSuffix};
-            if (auto opened = open({options_.output}, kProject, "the stops", project_); !opened)
-                return opened;
-        }
-        if (options_.poses.empty())
-            return {};
-        const auto file = files_.open(options_.poses);
-        if (!file)
-            return tl::unexpected{file.error()};
-        poses_ = *file;
-        return {};
-    }
-
-    bool empty() const { return files_.empty(); }
-
-    Result<void> write(const MapInput& input, const std::vector<MappedFloor>& floors)
-    {
-        const std::vector<PlaneResult> planes = planesOf(input, floors);
-        const std::vector<StampedPose> poses = posesOf(floors);
-        Result<void> done;
-        const auto next = [&](OutputFile& file, const std::function<Result<void>(std::ostream&)>& writer) {
-            if (done)
-                done = file.write(writer);
-        };
-        for (const Output& output : planes_) {
-            ScanResults results;
-            results.parameters = input.parameters;
-            results.planes = planes;
-            next(*output.file, [&](std::ostream& out) { return planesWriter(output.suffix)(out, results); });
-        }
-        for (const Output& output : plans_)
-            next(*output.file, [&](std::ostream& out) { return writePlan(out, output.suffix, planes, poses); });
-        if (poses_ != nullptr)
-            next(*poses_, [&](std::ostream& out) { return writeTrajectoryTum(out, poses); });
-        for (const Output& output : project_)
-            next(*output.file, [&](std::ostream& out) {
-                return writeScansPwscan(out, input.stops.size(),
-                                        [&](std::size_t i) { return stopScan(input.inputs[i], input.stops[i]); });
-            });
-        return done ? files_.publish() : done;
-    }
-
-private:
-    struct Output {
-        OutputFile* file;
-        std::string_view suffix;
-    };
-
-    Result<void> open(const std::vector<std::string>& paths, std::span<const std::string_view> suffixes,
-                      std::string_view what, std::vector<Output>& outputs)
-    {
-        for (const std::string& path : paths) {
-            const auto suffix = suffixOf(path, suffixes, what);
-            if (!suffix)
-                return tl::unexpected{suffix.error()};
-            const auto file = files_.open(path);
-            if (!file)
-                return tl::unexpected{file.error()};
-            outputs.push_back({*file, *suffix});
-        }
-        return {};
-    }
-
-    static std::vector<PlaneResult> planesOf(const MapInput& input, const std::vector<MappedFloor>& floors)
-    {
-        std::vector<PlaneResult> planes;
-        for (const MappedFloor& floor : floors) {
-            for (PlaneResult& plane :
-                 mapPlaneResults(floor.builder.map(), input.stops, floor.frame, static_cast<PlaneId>(planes.size())))
-                planes.push_back(std::move(plane));
-        }
-        return planes;
-    }
-
-    static std::vector<StampedPose> posesOf(const std::vector<MappedFloor>& floors)
-    {
-        std::vector<StampedPose> poses;
-        for (const MappedFloor& floor : floors) {
-            for (const MapStop& stop : floor.builder.map().stops) {
-                if (stop.isPlaced())
-                    poses.push_back({static_cast<double>(stop.stop->id), floor.frame * stop.pose});
-            }
-        }
-        std::ranges::sort(poses, {}, &StampedPose::time);
-        return poses;
-    }
-
-    Result<void> writePlan(std::ostream& out, std::string_view suffix, const std::vector<PlaneResult>& planes,
-                           const std::vector<StampedPose>& poses) const
-    {
-        const auto floor = floorHeight(planes);
-        if (!floor)
-            printWarning("no floor is found; the plan is cut at the height of the first stop's scanner");
-        const double height = floor ? *floor + options_.cutHeight : 0.0;
-        if (suffix == ".dxf")
-            return writeFloorPlanDxf(out, planes, height);
-        std::vector<Eigen::Vector2d> places;
-        for (const StampedPose& pose : poses)
-            places.emplace_back(pose.pose.translation.head<2>());
-        return writeFloorPlanSvg(out, planes, height, options_.scale, places);
-    }
-
-    const MapOptions& options_;
-    OutputFiles files_;
-    std::vector<Output> planes_, plans_, project_;
-    OutputFile* poses_ = nullptr;
-};
-
-Result<ExitCode> mapStops(const MapOptions& options)
-{
+    const auto mapping = takeMappingParameters(options.parameters);
+    if (!mapping)
+        return tl::unexpected{mapping.error()};
+    auto inputs = stopInputs(options.inputs);
+    if (!inputs)
+        return tl::unexpected{inputs.error()};
+    const auto edits =
+        options.noEdits ? Result<std::vector<StopEdit>>(std::vector<StopEdit>{}) : mapEditsOf(options.inputs);
+    if (!edits)
+        return tl::unexpected{edits.error()};
+    std::vector<std::string> problems;
+    *inputs = withEdits(std::move(*inputs), *edits, problems);
+    if (inputs->empty())
+        return fail(ErrorCode::Usage, "edits leave no stop for the map; give --no-edits for all");
+    for (const std::string& problem : problems)
+        printWarning(problem);
     MapOutputs outputs(options);
-    if (const auto opened = outputs.open(); !opened)
+    if (const auto opened = outputs.open(*inputs); !opened)
         return tl::unexpected{opened.error()};
-    auto input = extractStops(options);
+    auto input = extractStops(options, std::move(*inputs));
     if (!input)
         return tl::unexpected{input.error()};
     if (const auto taken = takeOdometry(options, input->stops); !taken)
         return tl::unexpected{taken.error()};
+    input->edits = *edits;
     const std::vector<FloorScans> floors = floorsOf(input->stops);
     const auto frames = floorFrames(options, floors);
     if (!frames)
         return tl::unexpected{frames.error()};
-    const auto mapped = mapFloors(input->stops, floors, *frames);
+    Progress progress("mapping, stop");
+    const auto show = [&progress](std::size_t done, std::size_t all) { progress.show(done, all); };
+    const auto mapped = mapFloors(input->stops, floors, *frames, {*mapping, *edits, show, {}});
     if (!mapped)
         return tl::unexpected{mapped.error()};
     for (const std::string& warning : mapWarnings(*mapped, input->stops))
@@ -383,7 +174,9 @@ void addMapCommand(CLI::App& program, Command& chosen)
     };
     repeatable("--planes", options->planes, "planes of the map as .csv, .json, .ply, .obj or .dxf, repeatable");
     command.add_option("--poses", options->poses, "corrected poses of the stops (TUM format)")->type_name("FILE");
-    repeatable("--floor-plan", options->floorPlans, "plan seen from above as .dxf or .svg, repeatable");
+    repeatable("--floor-plan", options->floorPlans,
+               "plan seen from above as .dxf or .svg, repeatable; of several floors a file each, as in "
+               "plan-floor-2.dxf");
     addNumber(command, "--cut-height", options->cutHeight, 0.0, 100.0,
               "height above the floor at which a plan is cut, in metres (default 1)");
     addNumber(command, "--plan-scale", options->scale, 1.0, 10000.0, "scale 1:N of a plan as .svg (default 100)");
@@ -391,7 +184,8 @@ void addMapCommand(CLI::App& program, Command& chosen)
         .add_option("--floor-poses", options->floorPoses,
                     "where the frame of each floor is in the building (TUM format, the number of the floor as time)")
         ->type_name("FILE");
-    command.add_flag("--no-edits", options->noEdits, "planes as they were found, without what was edited in a .pwscan");
+    command.add_flag("--no-edits", options->noEdits,
+                     "planes and stops as they were recorded, without what was edited in a .pwscan");
     command.add_flag("--overwrite", options->overwrite, "replace output files that exist");
     addParameterOptions(command, options->parameters);
     command.callback([options, &chosen] { chosen = [options] { return mapStops(*options); }; });

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/map_floors.h"
+#include "app/mapping/map_floors.h"
 
 namespace planewright {
 

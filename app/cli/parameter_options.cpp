@@ -3,6 +3,7 @@
 
 #include "app/cli/parameter_options.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <sys/stat.h>
@@ -129,6 +130,20 @@ Result<std::vector<ParametersFrom>> parametersInForce(const ParameterOptions& op
             return tl::unexpected{done.error()};
     }
     return stored;
+}
+
+Result<MappingParameters> takeMappingParameters(ParameterOptions& options)
+{
+    const auto rest =
+        std::stable_partition(options.assignments.begin(), options.assignments.end(),
+                              [](const std::string& assignment) { return !assignment.starts_with(kMappingPart); });
+    MappingParameters parameters;
+    for (auto assignment = rest; assignment != options.assignments.end(); ++assignment) {
+        if (const auto done = setParameter(parameters, *assignment); !done)
+            return fail(done.error().code, "-P: " + done.error().message);
+    }
+    options.assignments.erase(rest, options.assignments.end());
+    return parameters;
 }
 
 }  // namespace planewright

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/formats/parameter_events.h"
+#include "core/params/mapping_parameters.h"
 #include "core/params/parameters.h"
 #include "core/params/presets.h"
 #include "core/types/error.h"
@@ -37,5 +38,8 @@ Result<Parameters> parametersInForce(const ParameterOptions& options, std::strin
 /// preset and sensor, and --sensor and -P change each of them. One set of parameters at least.
 Result<std::vector<ParametersFrom>> parametersInForce(const ParameterOptions& options, std::string_view scanner,
                                                       std::vector<ParametersFrom> stored);
+
+/// What -P says of maps of several stops; the options then hold the rest. Errors: Usage for an unknown key or value.
+Result<MappingParameters> takeMappingParameters(ParameterOptions& options);
 
 }  // namespace planewright

@@ -59,33 +59,52 @@ std::string showText(const ParameterRow& row, const std::string& value)
            line("meaning", row.meaning);
 }
 
+/// A parameter with its value as text.
+struct ValuedRow {
+    const ParameterRow* row;
+    std::string value;
+};
+
+Result<std::vector<ValuedRow>> valuedRows(ParameterOptions options)
+{
+    const auto mapping = takeMappingParameters(options);
+    if (!mapping)
+        return tl::unexpected{mapping.error()};
+    const Result<Parameters> parameters = parametersInForce(options, "");
+    if (!parameters)
+        return tl::unexpected{parameters.error()};
+    std::vector<ValuedRow> rows;
+    for (const ParameterRow& row : parameterRows())
+        rows.push_back({&row, printParameter(*parameters, row.key)});
+    for (const ParameterRow& row : mappingRows())
+        rows.push_back({&row, printParameter(*mapping, row.key)});
+    return rows;
+}
+
 Result<std::string> describe(const ParamsOptions& options)
 {
     if (options.markdown)
         return parameterManualPage();
-    const Result<Parameters> parameters = parametersInForce(options.parameters, "");
-    if (!parameters)
-        return tl::unexpected{parameters.error()};
-    const std::vector<ParameterRow>& rows = parameterRows();
+    const auto rows = valuedRows(options.parameters);
+    if (!rows)
+        return tl::unexpected{rows.error()};
     if (!options.key.empty()) {
-        const auto row =
-            std::find_if(rows.begin(), rows.end(), [&](const ParameterRow& r) { return r.key == options.key; });
-        if (row == rows.end()) {
+        const auto found =
+            std::ranges::find_if(*rows, [&](const ValuedRow& valued) { return valued.row->key == options.key; });
+        if (found == rows->end()) {
             const std::string near{nearestKey(options.key)};
             return fail(ErrorCode::Usage, "there is no parameter '" + options.key + "'; " +
                                               (near.empty() ? "" : "did you mean " + near + "? ") +
                                               "'planewright-cli params' lists all");
         }
-        const std::string value = printParameter(*parameters, row->key);
-        return options.json ? jsonText(asJson(*row, value)) : showText(*row, value);
+        return options.json ? jsonText(asJson(*found->row, found->value)) : showText(*found->row, found->value);
     }
     Json all = Json::array();
     std::vector<std::vector<std::string>> table{{"key", "value", "unit", "range", "symbol", "meaning"}};
-    for (const ParameterRow& row : rows) {
-        const std::string value = printParameter(*parameters, row.key);
-        all.push_back(asJson(row, value));
-        table.push_back({std::string{row.key}, value, std::string{row.unitName}, rangeText(row),
-                         std::string{row.symbol}, std::string{row.meaning}});
+    for (const auto& [row, value] : *rows) {
+        all.push_back(asJson(*row, value));
+        table.push_back({std::string{row->key}, value, std::string{row->unitName}, rangeText(*row),
+                         std::string{row->symbol}, std::string{row->meaning}});
     }
     return options.json ? jsonText(all) : tableText(table);
 }

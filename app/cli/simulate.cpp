@@ -40,7 +40,7 @@ std::vector<PlaneResult> truthOf(const Scene& scene, const SimulatedScan& scan)
 
 Result<ExitCode> simulateScene(const SimulateOptions& options)
 {
-    if (!options.truthPoses.empty() || options.stops > 0)
+    if (!options.truthPoses.empty() || options.stops > 0 || options.floors > 0)
         return fail(ErrorCode::Usage, "--stops, --floors and --truth-poses are for the scene 'building' alone");
     const Result<Scene> scene = makeScene(options.scene, options.seed);
     if (!scene)

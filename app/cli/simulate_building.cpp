@@ -22,6 +22,7 @@ namespace planewright {
 namespace {
 
 constexpr double kStopsAFloor = 17.5;
+constexpr int kUsualFloors = 4;
 
 /// The pose of a floor's frame in that of the lowest floor.
 Pose floorPose(int floor)
@@ -72,9 +73,10 @@ Result<ExitCode> simulateBuilding(const SimulateOptions& options)
         return tl::unexpected{target.error()};
     if (!options.truthLabels.empty())
         return fail(ErrorCode::Usage, "--truth-labels: a building has several scans; use --truth");
-    const int stops = options.stops > 0 ? options.stops : static_cast<int>(kStopsAFloor * options.floors);
-    if (stops < options.floors)
-        return fail(ErrorCode::Usage, "--stops: " + std::to_string(options.floors) + " floors need a stop each");
+    const int floors = options.floors > 0 ? options.floors : kUsualFloors;
+    const int stops = options.stops > 0 ? options.stops : static_cast<int>(kStopsAFloor * floors);
+    if (stops < floors)
+        return fail(ErrorCode::Usage, "--stops: " + std::to_string(floors) + " floors need a stop each");
 
     OutputFiles files{options.overwrite};
     std::vector<OutputFile*> outputs;
@@ -89,9 +91,9 @@ Result<ExitCode> simulateBuilding(const SimulateOptions& options)
         outputs.push_back(*file);
     }
 
-    const SimulatedBuilding building(options.floors, options.seed);
+    const SimulatedBuilding building(floors, options.seed);
     const std::vector<BuildingStop> route = building.route(stops);
-    std::vector<std::map<int, int>> returns(static_cast<std::size_t>(options.floors));
+    std::vector<std::map<int, int>> returns(static_cast<std::size_t>(floors));
     Progress progress("simulating, stop");
     const auto scanOf = [&](std::size_t number) -> Result<WrittenScan> {
         const BuildingStop& stop = route[number];

@@ -23,7 +23,7 @@ struct SimulateOptions {
     double dropout = -1.0;  ///< the profile's
     std::string tilt, bearing;
     int slices = 0;  ///< as --tilt says
-    int floors = 4;  ///< of a building
+    int floors = 0;  ///< of a building; 0: four
     int stops = 0;   ///< in a building; 0: as many as fit
     std::string truthPoses;
     bool overwrite = false;

@@ -9,8 +9,6 @@
 #include <utility>
 
 #include "app/cli/console.h"
-#include "app/cli/extraction_run.h"
-#include "core/geometry/correct_recording.h"
 #include "core/pipeline/apply_edits.h"
 
 namespace planewright {
@@ -44,24 +42,6 @@ void applyStoredEdits(ScanResults& extraction, const RecordingFile& input, bool 
         printWarning(place + problem);
     extraction.snapshot = std::make_shared<const Snapshot>(withPlanes(*extraction.snapshot, edited));
     extraction.planes = planeResults(edited.planes, extraction.snapshot->segments);
-}
-
-Result<ScanResults> extractStoredScan(const RecordingFile& input, const std::string& path,
-                                      const ParameterOptions& options, bool noEdits)
-{
-    ScanResults extraction;
-    extraction.recording = input.recording;
-    const auto parameters = parametersOverSteps(input, extraction.recording.description.scanner, path, -1, options);
-    if (!parameters)
-        return tl::unexpected{parameters.error()};
-    extraction.parameters = parameters->back().parameters;
-    correctRecording(extraction.recording, parameters->front().parameters.sensor);
-    const auto result = runExtraction(extraction.recording, *parameters, {});
-    if (!result)
-        return tl::unexpected{result.error()};
-    extraction.snapshot = result->snapshot;
-    applyStoredEdits(extraction, input, noEdits, path);
-    return extraction;
 }
 
 }  // namespace planewright

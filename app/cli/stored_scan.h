@@ -24,8 +24,4 @@ Result<std::vector<ParametersFrom>> parametersOverSteps(const RecordingFile& inp
 /// applied is told as a warning.
 void applyStoredEdits(ScanResults& extraction, const RecordingFile& input, bool noEdits, const std::string& path);
 
-/// Extracts the planes of a scan as it is stored, with its edits unless `noEdits`.
-Result<ScanResults> extractStoredScan(const RecordingFile& input, const std::string& path,
-                                      const ParameterOptions& options, bool noEdits);
-
 }  // namespace planewright

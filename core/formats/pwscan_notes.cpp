@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/formats/edit_json.h"
+#include "core/formats/map_edit.h"
 #include "core/formats/message_text.h"
 #include "core/formats/pwscan_scan.h"
 #include "core/formats/recording_csv.h"
@@ -126,7 +127,7 @@ Result<std::vector<StoredEdit>> readEdits(SqlDatabase& database, int scan, Probl
     std::vector<StoredEdit> edits;
     const auto take = [&](const SqlStatement& row) {
         const std::size_t bytes = row.text(3).size();
-        if (row.integerIf(1) != std::int64_t{scan})
+        if (row.integerIf(1) != std::int64_t{scan} || isMapEditKind(row.text(2)))
             return bytes;
         auto edit = readEditJson(row.text(2), row.text(3), placeOf("edit", row));
         const auto undone = row.integerIf(4);

@@ -38,8 +38,8 @@ Result<void> insertEvent(SqlDatabase& database, int scan, const ScanEvent& event
 /// Gives the edit's seq.
 Result<int> insertEdit(SqlDatabase& database, int scan, const Edit& edit, bool undone);
 
-/// The events and the edits of one scan in their order. What cannot be used is left out: a bad row is told to
-/// `problems`, an event of a kind that is not known to `warnings`.
+/// The events of one scan, and the edits of its planes, in their order. What cannot be used is left out: a bad row is
+/// told to `problems`, an event of a kind that is not known to `warnings`.
 Result<std::vector<ScanEvent>> readEvents(SqlDatabase& database, int scan, ProblemList& problems,
                                           std::vector<std::string>& warnings);
 Result<std::vector<StoredEdit>> readEdits(SqlDatabase& database, int scan, ProblemList& problems);

@@ -132,6 +132,15 @@ Result<int> PwscanProject::append(int scan, const Edit& edit)
     return insertEdit(state_->database, scan, edit, false);
 }
 
+Result<int> PwscanProject::append(const MapEdit& edit)
+{
+    if (const auto writable = checkWritable(edit.scan); !writable)
+        return tl::unexpected{writable.error()};
+    if (const auto fine = readMapEditJson(edit.scan, name(edit.kind), mapEditJson(edit), state_->path); !fine)
+        return fail(ErrorCode::Usage, fine.error().message);
+    return insertMapEdit(state_->database, edit, false);
+}
+
 Result<void> PwscanProject::setUndone(int seq, bool undone)
 {
     if (auto writable = checkWritable(); !writable)
@@ -150,6 +159,12 @@ Result<std::vector<StoredEdit>> PwscanProject::edits(int scan) const
 {
     ProblemList problems{state_->path, 1};
     return readEdits(state_->database, scan, problems);
+}
+
+Result<std::vector<StoredMapEdit>> PwscanProject::mapEdits() const
+{
+    ProblemList problems{state_->path, 1};
+    return readMapEdits(state_->database, problems);
 }
 
 Result<std::vector<ScanEvent>> PwscanProject::events(int scan) const

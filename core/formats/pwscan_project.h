@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/formats/map_edit.h"
 #include "core/formats/pwscan_notes.h"
 #include "core/formats/pwscan_scan.h"
 #include "core/params/parameters.h"
@@ -45,10 +46,15 @@ public:
 
     /// Adds an edit of a scan's planes and gives its seq. Its text is stored as cleanName makes it.
     Result<int> append(int scan, const Edit& edit);
+    /// Adds an edit of the map of all scans and gives its seq.
+    Result<int> append(const MapEdit& edit);
     /// Marks an edit undone, or redone.
     Result<void> setUndone(int seq, bool undone);
     /// The edits of a scan in their order, undone ones too; those that cannot be read are left out.
     Result<std::vector<StoredEdit>> edits(int scan) const;
+
+    /// The edits of the map of all scans in their order, undone ones too; those that cannot be read are left out.
+    Result<std::vector<StoredMapEdit>> mapEdits() const;
 
     /// What happened during a scan, in its order; what cannot be read is left out.
     Result<std::vector<ScanEvent>> events(int scan) const;

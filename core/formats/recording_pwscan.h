@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/map_edit.h"
 #include "core/formats/pwscan_notes.h"
 #include "core/formats/pwscan_scan.h"
 #include "core/formats/recording_csv.h"
@@ -21,6 +22,7 @@ struct ScanNotes {
     ScanRecord scan;
     std::vector<ScanEvent> events;
     std::vector<StoredEdit> edits;
+    std::vector<StoredMapEdit> mapEdits = {};  ///< to be written: those of this stop; reading one scan gives none
 };
 
 /// One scan of a `.pwscan` as it was read.

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/formats/map_edit.h"
 #include "core/formats/parameter_events.h"
 #include "core/formats/pwscan_open.h"
 #include "core/formats/pwscan_schema.h"
@@ -153,6 +154,8 @@ RecordingProblems pwscanProblems(const std::string& path)
         if (const auto edits = readEdits(opened->database, scan.id, problems); !edits)
             return giveUp(edits.error());
     }
+    if (const auto edits = readMapEdits(opened->database, problems); !edits)
+        return giveUp(edits.error());
     if (slices == 0)
         return giveUp({ErrorCode::Unreadable, problems.empty() ? path + ": there is no slice in it; get a sound copy"
                                                                : problems.texts().front()});

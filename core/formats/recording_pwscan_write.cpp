@@ -49,6 +49,11 @@ Result<void> insertRecording(SqlDatabase& database, const Recording& recording, 
         if (done)
             done = insertEdit(database, *id, edit.edit, edit.undone).map([](int) {});
     }
+    for (StoredMapEdit& edit : notes.mapEdits) {
+        edit.edit.scan = *id;
+        if (done)
+            done = insertMapEdit(database, edit.edit, edit.undone).map([](int) {});
+    }
     return done;
 }
 

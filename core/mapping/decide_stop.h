@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/mapping/building_map.h"
-#include "core/mapping/mapping_parameters.h"
 #include "core/mapping/match_stop.h"
 #include "core/mapping/near_planes.h"
+#include "core/params/mapping_parameters.h"
 
 namespace planewright {
 

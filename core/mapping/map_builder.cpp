@@ -12,15 +12,19 @@
 
 #include "core/mapping/check_stop.h"
 #include "core/mapping/decide_stop.h"
+#include "core/mapping/fuse_planes.h"
 #include "core/mapping/map_changes.h"
 #include "core/mapping/map_covariances.h"
+#include "core/mapping/unevenness.h"
 #include "core/types/square.h"
 
 namespace planewright {
 
 namespace {
 
-constexpr double kIndexCell = 5.0;     // [m]
+constexpr double kIndexCell = 5.0;  // [m]
+constexpr int kFlatnessRounds = 4;
+constexpr double kSameFlatness = 0.8;
 constexpr std::size_t kAncestors = 3;  // of the stop before that are always looked at
 constexpr std::size_t kAdjustedWith = 2;
 constexpr double kNearShift = 0.05;  // stops that have drifted no more than this are matched as one [m]
@@ -142,13 +146,46 @@ Result<MapAdjustment> MapBuilder::adjust()
     std::vector<Eigen::Vector3d> before;
     for (const MapStop& stop : map_.stops)
         before.push_back(stop.pose.translation);
-    const auto done = adjustMap(map_);
+    auto done = adjustWhole();
     if (!done)
         return done;
+    const double costBefore = done->costBefore;
+    const StopsAround around = [this](std::size_t stop) { return stopsNear(map_.stops[stop].pose.translation, stop); };
+    if (fusePlanes(map_, extents_, around, parameters_.gap) > 0) {
+        done = adjustWhole();
+        if (!done)
+            return done;
+    }
+    // Stops join by what was told, so that no match is missed; the whole map shows how even its walls are.
+    std::vector<std::shared_ptr<const Stop>> told;
+    for (const MapStop& stop : map_.stops)
+        told.push_back(stop.stop);
+    double flatness = parameters_.flatness;
+    for (int round = 0; round < kFlatnessRounds && done; ++round) {
+        const double found = unevennessOf(map_, flatness, parameters_.flatness);
+        if (!(found < kSameFlatness * flatness))
+            break;
+        changeFlatness(map_, flatness, found);
+        flatness = found;
+        done = adjustWhole();
+    }
+    for (std::size_t stop = 0; stop < told.size(); ++stop)
+        map_.stops[stop].stop = told[stop];
+    if (!done)
+        return done;
+    done->costBefore = costBefore;
     for (std::size_t stop = 0; stop < before.size(); ++stop) {
         if (map_.stops[stop].isPlaced())
             index_.move(stop, before[stop], map_.stops[stop].pose.translation);
     }
+    return done;
+}
+
+Result<MapAdjustment> MapBuilder::adjustWhole()
+{
+    auto done = adjustMap(map_);
+    if (!done)
+        return done;
     if (auto computed = computeCovariances(map_); !computed)
         return tl::unexpected(computed.error());
     return done;
@@ -160,15 +197,19 @@ Result<void> MapBuilder::match(std::size_t stop, std::size_t plane, std::optiona
         return fail(ErrorCode::Usage, "There is no such plane of a stop that is placed in the map.");
     if (mapPlane && (*mapPlane >= map_.planes.size() || map_.planes[*mapPlane].sightings.empty()))
         return fail(ErrorCode::Usage, "The map has no plane " + std::to_string(*mapPlane) + ".");
-    if (mapPlane == map_.stops[stop].matches[plane].plane && mapPlane)
+    if (mapPlane == map_.stops[stop].matches[plane].plane && mapPlane) {
+        map_.stops[stop].matches[plane].isByHand = true;
         return {};
+    }
     removeSighting(map_, {stop, plane});
     PlaneMatch& match = map_.stops[stop].matches[plane];
-    match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0};
-    if (mapPlane)
-        addSighting(map_, *mapPlane, {stop, plane});
-    else
+    match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0, true};
+    if (!mapPlane) {
         match.plane = addPlane(map_, {stop, plane});
+        return {};
+    }
+    match.chiSquare = chiSquareOf(map_, {stop, plane}, *mapPlane);
+    addSighting(map_, *mapPlane, {stop, plane});
     return {};
 }
 

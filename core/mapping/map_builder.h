@@ -11,10 +11,10 @@
 #include "core/mapping/adjust_map.h"
 #include "core/mapping/building_map.h"
 #include "core/mapping/decide_stop.h"
-#include "core/mapping/mapping_parameters.h"
 #include "core/mapping/match_stop.h"
 #include "core/mapping/stop_index.h"
 #include "core/mapping/stop_tree.h"
+#include "core/params/mapping_parameters.h"
 #include "core/types/error.h"
 
 namespace planewright {
@@ -77,6 +77,7 @@ private:
     StopMotion motionOf(const Expectation& expected) const;
     std::vector<std::size_t> stopsNear(const Eigen::Vector3d& place, std::size_t base) const;
     bool isNear(std::size_t a, std::size_t b) const;
+    Result<MapAdjustment> adjustWhole();
     void addStop(MapStop stop, StopExtents extents);
     void addMatches(const StopMatch& match);
     void adjustNear(std::size_t number, std::span<const std::size_t> near);

@@ -72,6 +72,13 @@ std::size_t addPlane(BuildingMap& map, const Sighting& sighting)
     return map.planes.size() - 1;
 }
 
+double chiSquareOf(const BuildingMap& map, const Sighting& sighting, std::size_t plane)
+{
+    const MapStop& stop = map.stops[sighting.stop];
+    const Eigen::Vector3d middle = stop.pose * middleOf(stop.stop->planes[sighting.plane]);
+    return chiSquare(seenFrom(map.planes[plane].parameters, middle), seenFrom(sightingInMap(map, sighting), middle));
+}
+
 void removeSighting(BuildingMap& map, const Sighting& sighting)
 {
     const auto plane = map.stops[sighting.stop].matches[sighting.plane].plane;

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/mapping/mapping_parameters.h"
 #include "core/mapping/near_planes.h"
 #include "core/mapping/register_planes.h"
+#include "core/params/mapping_parameters.h"
 
 namespace planewright {
 

@@ -93,6 +93,16 @@ std::string parameterTables()
     return text;
 }
 
+std::string mappingTable()
+{
+    std::string text =
+        tableRow({"key", "default", "unit", "allowed", "meaning"}) + tableRow(std::vector<std::string>(5, "---"));
+    for (const ParameterRow& row : mappingRows())
+        text += tableRow({code(row.key), code(printParameter(MappingParameters{}, row.key)), std::string{row.unitName},
+                          allowedText(row), std::string{row.meaning}});
+    return text;
+}
+
 std::string methodTable()
 {
     std::string text = tableRow({"name", "meaning"}) + tableRow({"---", "---"});
@@ -117,8 +127,10 @@ std::string sensorTable()
 
 std::string parameterManualPage()
 {
-    return std::string{kIntroduction} + parameterTables() + "\n## Presets of the method: `--preset`\n\n" +
-           methodTable() + "\n## Presets of the scanner: `--sensor`\n\n" + sensorTable();
+    return std::string{kIntroduction} + parameterTables() +
+           "\n## map\n\nOf `planewright-cli map` alone, which takes them with `-P` as well; no preset sets them.\n\n" +
+           mappingTable() + "\n## Presets of the method: `--preset`\n\n" + methodTable() +
+           "\n## Presets of the scanner: `--sensor`\n\n" + sensorTable();
 }
 
 }  // namespace planewright

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "core/params/parameter_rows.h"
 
@@ -127,14 +128,75 @@ Result<void> setValue(const Parameter<Struct, Value>& parameter, Struct& target,
     return {};
 }
 
-/// Calls visit(row, part member) for every row of every part, in order.
-template <class Visitor>
+/// Calls visit(row, partOf) for every row of every part, in order; partOf(parameters) is the row's part.
+template <class All, class Visitor>
 void forEachParameter(Visitor visit)
 {
-    const auto visitPart = [&]<class Part>(Part Parameters::*part) {
-        std::apply([&](const auto&... rows) { (visit(rows, part), ...); }, rowsOf(Part{}));
-    };
-    std::apply([&](const auto... parts) { (visitPart(parts), ...); }, partsOfParameters());
+    if constexpr (std::is_same_v<All, MappingParameters>) {
+        const auto whole = [](auto& all) -> auto&
+        {
+            return all;
+        };
+        std::apply([&](const auto&... rows) { (visit(rows, whole), ...); }, rowsOf(MappingParameters{}));
+    } else {
+        const auto visitPart = [&]<class Part>(Part Parameters::*part) {
+            const auto partOf = [part](auto& all) -> auto&
+            {
+                return all.*part;
+            };
+            std::apply([&](const auto&... rows) { (visit(rows, partOf), ...); }, rowsOf(Part{}));
+        };
+        std::apply([&](const auto... parts) { (visitPart(parts), ...); }, partsOfParameters());
+    }
+}
+
+template <class All>
+std::vector<ParameterRow> rowsOfAll()
+{
+    std::vector<ParameterRow> all;
+    forEachParameter<All>([&](const auto& row, const auto&) { all.push_back(rowOf(row)); });
+    return all;
+}
+
+/// Nothing where there is no such key.
+template <class All>
+std::optional<Result<void>> setIfKnown(All& parameters, std::string_view key, std::string_view text)
+{
+    std::optional<Result<void>> result;
+    forEachParameter<All>([&](const auto& row, const auto& partOf) {
+        if (row.key == key)
+            result = setValue(row, partOf(parameters), text);
+    });
+    return result;
+}
+
+template <class All>
+std::string printKnown(const All& parameters, std::string_view key)
+{
+    std::string text;
+    forEachParameter<All>([&](const auto& row, const auto& partOf) {
+        if (row.key == key)
+            text = printValue(row.unit, partOf(parameters).*(row.member));
+    });
+    assert(!text.empty());
+    return text;
+}
+
+Result<void> refuseUnknown(std::string_view key)
+{
+    const std::string_view near = nearestKey(key);
+    return fail(ErrorCode::Usage, "there is no parameter '" + std::string{key} + "'; " +
+                                      (near.empty() ? "" : "did you mean " + std::string{near} + "? ") +
+                                      "'planewright-cli params' lists all");
+}
+
+/// Key and value of an assignment.
+Result<std::pair<std::string_view, std::string_view>> partsOf(std::string_view assignment)
+{
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos)
+        return fail(ErrorCode::Usage, "parameter '" + std::string{assignment} + "': write key=value");
+    return std::pair{assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
 /// Levenshtein's distance between two words.
@@ -158,46 +220,49 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 
 const std::vector<ParameterRow>& parameterRows()
 {
-    static const std::vector<ParameterRow> rows = [] {
-        std::vector<ParameterRow> all;
-        forEachParameter([&](const auto& row, auto) { all.push_back(rowOf(row)); });
-        return all;
-    }();
+    static const std::vector<ParameterRow> rows = rowsOfAll<Parameters>();
+    return rows;
+}
+
+const std::vector<ParameterRow>& mappingRows()
+{
+    static const std::vector<ParameterRow> rows = rowsOfAll<MappingParameters>();
     return rows;
 }
 
 Result<void> setParameter(Parameters& parameters, std::string_view key, std::string_view text)
 {
-    Result<void> result = [&]() -> Result<void> {
-        const std::string_view near = nearestKey(key);
-        return fail(ErrorCode::Usage, "there is no parameter '" + std::string{key} + "'; " +
-                                          (near.empty() ? "" : "did you mean " + std::string{near} + "? ") +
-                                          "'planewright-cli params' lists all");
-    }();
-    forEachParameter([&](const auto& row, auto part) {
-        if (row.key == key)
-            result = setValue(row, parameters.*part, text);
-    });
-    return result;
+    if (auto known = setIfKnown(parameters, key, text))
+        return *std::move(known);
+    if (std::ranges::find(mappingRows(), key, &ParameterRow::key) != mappingRows().end())
+        return fail(ErrorCode::Usage, "parameter " + std::string{key} +
+                                          " is one of maps of several stops: 'planewright-cli map' takes it");
+    return refuseUnknown(key);
 }
 
 Result<void> setParameter(Parameters& parameters, std::string_view assignment)
 {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string_view::npos)
-        return fail(ErrorCode::Usage, "parameter '" + std::string{assignment} + "': write key=value");
-    return setParameter(parameters, assignment.substr(0, equals), assignment.substr(equals + 1));
+    return partsOf(assignment).and_then([&](const auto& parts) {
+        return setParameter(parameters, parts.first, parts.second);
+    });
+}
+
+Result<void> setParameter(MappingParameters& parameters, std::string_view assignment)
+{
+    return partsOf(assignment).and_then([&](const auto& parts) {
+        auto known = setIfKnown(parameters, parts.first, parts.second);
+        return known ? *std::move(known) : refuseUnknown(parts.first);
+    });
 }
 
 std::string printParameter(const Parameters& parameters, std::string_view key)
 {
-    std::string text;
-    forEachParameter([&](const auto& row, auto part) {
-        if (row.key == key)
-            text = printValue(row.unit, (parameters.*part).*(row.member));
-    });
-    assert(!text.empty());
-    return text;
+    return printKnown(parameters, key);
+}
+
+std::string printParameter(const MappingParameters& parameters, std::string_view key)
+{
+    return printKnown(parameters, key);
 }
 
 std::string allowedValues(const ParameterRow& row)
@@ -215,11 +280,13 @@ std::string_view nearestKey(std::string_view key)
     std::size_t best = std::max<std::size_t>(3, key.size() / 3);
     if (key.size() > 100)
         return nearest;
-    for (const ParameterRow& row : parameterRows()) {
-        const std::size_t distance = editDistance(key, row.key);
-        if (distance < best) {
-            best = distance;
-            nearest = row.key;
+    for (const auto* rows : {&parameterRows(), &mappingRows()}) {
+        for (const ParameterRow& row : *rows) {
+            const std::size_t distance = editDistance(key, row.key);
+            if (distance < best) {
+                best = distance;
+                nearest = row.key;
+            }
         }
     }
     return nearest;

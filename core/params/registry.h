@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/params/mapping_parameters.h"
 #include "core/params/parameter.h"
 #include "core/params/parameters.h"
 #include "core/types/error.h"
@@ -26,8 +27,12 @@ struct ParameterRow {
     std::string_view meaning;
 };
 
-/// All rows in the order in which people see them.
+/// All rows of an extraction in the order in which people see them.
 const std::vector<ParameterRow>& parameterRows();
+
+/// Those of the map of several stops; their keys begin with kMappingPart.
+const std::vector<ParameterRow>& mappingRows();
+inline constexpr std::string_view kMappingPart = "map.";
 
 /// Sets one parameter from text in the unit that people see. Errors (Usage) name the key, the value and what is
 /// allowed.
@@ -35,9 +40,11 @@ Result<void> setParameter(Parameters& parameters, std::string_view key, std::str
 
 /// Sets one parameter from `key=value`, as -P takes it.
 Result<void> setParameter(Parameters& parameters, std::string_view assignment);
+Result<void> setParameter(MappingParameters& parameters, std::string_view assignment);
 
 /// A parameter's value as text in the unit that people see; setParameter reads it back. The key must exist.
 std::string printParameter(const Parameters& parameters, std::string_view key);
+std::string printParameter(const MappingParameters& parameters, std::string_view key);
 
 /// What a parameter may be, for a sentence that begins with "give": "a number from 0 to 0.5 m", "ml or foot".
 std::string allowedValues(const ParameterRow& row);

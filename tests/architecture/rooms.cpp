@@ -61,6 +61,7 @@ std::span<const Room> rooms()
 
         {"app/process", {}, Names{"cstdlib", "malloc.h"}},
         {"app/files", {"core"}, kNumbers + Names{"unistd.h", "sys/", "fcntl.h"}},
+        {"app/mapping", {"core", "app/files"}, kNumbers},
         {"app/sources",
          {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "app/files"},
          kNumbers},
@@ -71,12 +72,12 @@ std::span<const Room> rooms()
          kNumbers + Names{"QObject", "QString", "QThread", "QTimer", "QDateTime", "QMetaObject"}},
         // The command line links no widget and no picture.
         {"app/cli",
-         {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "app/files", "app/sources",
-          "app/process", "app/session", "app/session/loops"},
+         {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "app/files", "app/mapping",
+          "app/sources", "app/process", "app/session", "app/session/loops"},
          kNumbers + Names{"CLI/", "spdlog/", "nlohmann/", "Qt", "unistd.h", "sys/", "fcntl.h"}},
         {"app",
          {"core", "devices", "devices/transport", "devices/emulated", "devices/replay", "ui", "ui/common", "ui/models",
-          "ui/opengl", "ui/scene", "app/cli", "app/files", "app/process", "app/sources", "app/session",
+          "ui/opengl", "ui/scene", "app/cli", "app/files", "app/mapping", "app/process", "app/sources", "app/session",
           "app/session/loops"},
          {""}},
     };

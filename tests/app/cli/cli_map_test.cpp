@@ -4,9 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/formats/pwscan_project.h"
 #include "run_program.h"
 #include "tests/test_program.h"
 
@@ -23,6 +25,9 @@ private slots:
     void withoutOutputsThereIsATable();
     void odometryMayComeFromAFile();
     void floorsAreOneBuildingWhereTheyAreSaidToBe();
+    void eachFloorHasAPlanOfItsOwn();
+    void parametersOfMapsAreTakenByMap();
+    void editsOfTheMapAreHonoured();
     void whatCannotBeMappedIsNamed_data();
     void whatCannotBeMappedIsNamed();
     void theSameStopsGiveTheSameBytes();
@@ -68,6 +73,8 @@ void CliMapTest::aBuildingHasAScanForEachStop()
     QCOMPARE(run({"simulate", "building", "-o", "x.csv"}).code, 2);
     QCOMPARE(run({"simulate", "building", "--floors", "3", "--stops", "2", "-o", "x.pwscan"}).code, 2);
     QCOMPARE(run({"simulate", "office", "--stops", "2", "-o", "x.pwscan"}).code, 2);
+    QCOMPARE(run({"simulate", "office", "--floors", "2", "-o", "x.pwscan"}).code, 2);
+    QVERIFY(!QFile::exists(path("x.pwscan")));
 }
 
 /// Stops stand 3 m apart. Over the first half of the way planes put them right to two centimetres where odometry is off
@@ -190,8 +197,8 @@ void CliMapTest::floorsAreOneBuildingWhereTheyAreSaidToBe()
     QVERIFY(unsaid.err.contains("--floor-poses"));
 
     // Each floor has one stop: its frame. The trajectory says where these are.
-    const ProgramRun said = run({"map", "two-floors.pwscan", "--floor-poses", "floors.txt", "--poses", "p.txt",
-                                 "--planes", "building.csv", "--floor-plan", "plan.svg", "--floor-plan", "plan.dxf"});
+    const ProgramRun said = run(
+        {"map", "two-floors.pwscan", "--floor-poses", "floors.txt", "--poses", "p.txt", "--planes", "building.csv"});
 
     QVERIFY2(said.code == 0, said.err);
     const auto given = poses("floors.txt");
@@ -211,8 +218,75 @@ void CliMapTest::floorsAreOneBuildingWhereTheyAreSaidToBe()
         highest = std::max(highest.value_or(height), height);
     }
     QVERIFY(lowest && std::abs(*highest - *lowest - 3.2) < 0.03);
-    QVERIFY(bytesOf(path("plan.svg")).contains("Plan 1:100"));
-    QVERIFY(bytesOf(path("plan.dxf")).contains("  0\nLINE\n"));
+}
+
+/// Floors have the same walls; their plans have the stop of that floor alone.
+void CliMapTest::eachFloorHasAPlanOfItsOwn()
+{
+    const ProgramRun made = run({"map", "two-floors.pwscan", "--floor-poses", "floors.txt", "--floor-plan", "plan.svg",
+                                 "--floor-plan", "plan.dxf"});
+
+    QVERIFY2(made.code == 0, made.err);
+    for (int floor = 0; floor < 2; ++floor) {
+        const QByteArray svg = bytesOf(path(QString("plan-floor-%1.svg").arg(floor)));
+        QVERIFY(svg.contains("Plan 1:100"));
+        QCOMPARE(svg.count("class=\"stop\""), 1);
+        QVERIFY(svg.contains('>' + QByteArray::number(floor) + "</text>"));
+        QVERIFY(svg.count("wall cut") > 4);
+        QVERIFY(bytesOf(path(QString("plan-floor-%1.dxf").arg(floor))).contains("  0\nLINE\n"));
+    }
+    QVERIFY(!QFile::exists(path("plan.svg")));
+    QCOMPARE(run({"map", "floor.pwscan", "--floor-plan", "one.svg"}).code, 0);
+    QVERIFY(bytesOf(path("one.svg")).count("class=\"stop\"") > 10);
+}
+
+/// Where no stop may be compared with another, each but the first rests on odometry alone.
+void CliMapTest::parametersOfMapsAreTakenByMap()
+{
+    const ProgramRun made = run({"map", "floor.pwscan", "-P", "map.least-pairs=50", "-P", "segments.min-points=5"});
+    const ProgramRun usual = run({"map", "floor.pwscan"});
+
+    QVERIFY2(made.code == 0, made.err);
+    QCOMPARE(made.out.count("odometry alone"), 19);
+    QVERIFY(usual.out.count("odometry alone") < 19);
+    QCOMPARE(run({"extract", "floor.pwscan", "-P", "map.least-pairs=50"}).code, 2);
+}
+
+/// A stop is taken out, and planes of another are their own; a project made of that has it applied.
+void CliMapTest::editsOfTheMapAreHonoured()
+{
+    QVERIFY(QFile::copy(path("floor.pwscan"), path("edited.pwscan")));
+    {
+        auto project = planewright::PwscanProject::open(path("edited.pwscan").toStdString());
+        QVERIFY(project);
+        planewright::MapEdit edit;
+        edit.scan = 5;
+        QVERIFY(project->append(edit));
+        edit.kind = planewright::MapEdit::Kind::Match;
+        edit.scan = 3;
+        edit.plane = 99;
+        QVERIFY(project->append(edit));
+        edit.plane = 0;
+        QVERIFY(project->append(edit));
+    }
+    const auto lines = [](const ProgramRun& made) { return made.out.split('\n'); };
+
+    const ProgramRun edited = run({"map", "edited.pwscan"});
+    const ProgramRun plain = run({"map", "edited.pwscan", "--no-edits"});
+    const ProgramRun project = run({"map", "edited.pwscan", "-o", "applied.pwscan"});
+    const ProgramRun applied = run({"map", "applied.pwscan"});
+
+    QVERIFY2(edited.code == 0, edited.err);
+    QCOMPARE(lines(edited).size(), 21);
+    QVERIFY(!edited.out.contains("edited.pwscan, scan 5\n"));
+    QVERIFY(edited.err.contains("edited.pwscan, scan 3, P99: this plane is not in the map"));
+    QCOMPARE(lines(plain).size(), 22);
+    QVERIFY(!plain.err.contains("P99"));
+    QVERIFY2(project.code == 0, project.err);
+    QVERIFY2(applied.code == 0, applied.err);
+    QCOMPARE(lines(applied).size(), 21);
+    QVERIFY(applied.err.contains("applied.pwscan, scan 3, P99: this plane is not in the map"));
+    QCOMPARE(run({"validate", "edited.pwscan"}).code, 0);
 }
 
 void CliMapTest::whatCannotBeMappedIsNamed_data()

@@ -22,6 +22,7 @@ private slots:
     void jsonHasARowForEveryParameter();
     void showsOne();
     void showsTheValueInForce();
+    void parametersOfMapsAreShownAndSetLikeAll();
     void unknownKeyIsAnErrorThatSuggestsOne();
     void markdownIsThePageOfTheManual();
 };
@@ -34,13 +35,16 @@ void CliParamsTest::listsEveryParameterWithItsDefault()
     QCOMPARE(run.code, 0);
     Parameters defaults;
     apply(methodPresets().front(), defaults);
-    QCOMPARE(lines.size(), static_cast<qsizetype>(parameterRows().size()) + 1);
+    QCOMPARE(lines.size(), static_cast<qsizetype>(parameterRows().size() + mappingRows().size()) + 1);
     for (std::size_t i = 0; i < parameterRows().size(); ++i) {
         const ParameterRow& row = parameterRows()[i];
         const QStringList words = lines[static_cast<qsizetype>(i) + 1].split(' ', Qt::SkipEmptyParts);
         QCOMPARE(words[0].toStdString(), std::string{row.key});
         QCOMPARE(words[1].toStdString(), printParameter(defaults, row.key));
     }
+    // Those of maps come last: walls are even to 2 mm.
+    QCOMPARE(lines[static_cast<qsizetype>(parameterRows().size()) + 1].split(' ', Qt::SkipEmptyParts).mid(0, 3),
+             QStringList({"map.flatness", "0.002", "m"}));
     QCOMPARE(runProgram({"params", "list"}).out, run.out);
 }
 
@@ -50,7 +54,7 @@ void CliParamsTest::jsonHasARowForEveryParameter()
     const QJsonArray rows = QJsonDocument::fromJson(run.out).array();
 
     QCOMPARE(run.code, 0);
-    QCOMPARE(rows.size(), static_cast<qsizetype>(parameterRows().size()));
+    QCOMPARE(rows.size(), static_cast<qsizetype>(parameterRows().size() + mappingRows().size()));
     for (const auto& row : rows) {
         for (const char* key : {"key", "value", "unit", "symbol", "meaning"})
             QVERIFY(row.toObject().contains(key));
@@ -79,6 +83,20 @@ void CliParamsTest::showsTheValueInForce()
 
     QCOMPARE(run.code, 0);
     QCOMPARE(QJsonDocument::fromJson(run.out)["value"].toDouble(), 0.15);
+}
+
+void CliParamsTest::parametersOfMapsAreShownAndSetLikeAll()
+{
+    const ProgramRun set = runProgram({"params", "show", "map.search-tilt", "--json", "-P", "map.search-tilt=7.5"});
+    const ProgramRun beyond = runProgram({"params", "-P", "map.least-pairs=2.5"});
+
+    QCOMPARE(set.code, 0);
+    QCOMPARE(QJsonDocument::fromJson(set.out)["value"].toDouble(), 7.5);
+    QCOMPARE(QJsonDocument::fromJson(set.out)["unit"].toString(), "deg");
+    QCOMPARE(beyond.code, 2);
+    QCOMPARE(beyond.err,
+             QByteArray("planewright-cli: -P: parameter map.least-pairs: '2.5' is not allowed; give a whole "
+                        "number from 1 to 50\n"));
 }
 
 void CliParamsTest::unknownKeyIsAnErrorThatSuggestsOne()

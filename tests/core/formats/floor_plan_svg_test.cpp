@@ -40,7 +40,7 @@ PlaneResult wallOfTenMetres()
     return wall;
 }
 
-QString drawn(std::span<const PlaneResult> planes, double scale, std::span<const Eigen::Vector2d> stops = {})
+QString drawn(std::span<const PlaneResult> planes, double scale, std::span<const PlanStop> stops = {})
 {
     std::ostringstream out;
     if (!writeFloorPlanSvg(out, planes, 1.0, scale, stops))
@@ -91,12 +91,12 @@ void FloorPlanSvgTest::aWallIsAsLongAsTheScaleSays()
 void FloorPlanSvgTest::stopsCarryTheirNumbers()
 {
     const std::vector<PlaneResult> planes{wallOfTenMetres()};
-    const std::vector<Eigen::Vector2d> stops{{0.0, 0.0}, {2.0, -3.0}};
+    const std::vector<PlanStop> stops{{{0.0, 0.0}, 0}, {{2.0, -3.0}, 7}};
 
     const QString plan = drawn(planes, 100.0, stops);
 
     QCOMPARE(plan.count("class=\"stop\""), 2);
-    QVERIFY(plan.contains(">0</text>") && plan.contains(">1</text>"));
+    QVERIFY(plan.contains(">0</text>") && plan.contains(">7</text>"));
     QVERIFY(plan.contains("<title>Plan 1:100</title>"));
 }
 

@@ -25,6 +25,7 @@ private slots:
     void adjustingAllChangesLittleOfWhatWasAdjustedOnTheWay();
     void thePlanesOfTheMapKnowWhereTheyWereSeen();
     void aMatchMadeByHandHolds();
+    void aMatchMadeByHandTellsHowFarItIs();
     void whatCannotBeUsedIsNamed_data();
     void whatCannotBeUsedIsNamed();
 };
@@ -81,7 +82,7 @@ void MapBuilderTest::twentyStopsAroundALoopMakeATrueMap()
         MapBuilder builder = mapOf(stops);
         QVERIFY(builder.adjust());
 
-        const MapScore score = scoreMap(builder.map(), stops, plan);
+        const MapScore score = scoreMap(builder.map(), stops, plan.planes());
         QCOMPARE(score.shifts.size(), std::size_t(19));
         QCOMPARE(score.wrong, 0);
         QVERIFY(meanOf(score.shifts) < 0.01);
@@ -127,7 +128,7 @@ void MapBuilderTest::aLoopThatDriftedIsClosed()
     QVERIFY(closed);
     QVERIFY(builder.adjust());
 
-    const MapScore score = scoreMap(builder.map(), stops, plan);
+    const MapScore score = scoreMap(builder.map(), stops, plan.planes());
     QCOMPARE(score.wrong, 0);
     // The last stop sees what the first one saw: floor, ceiling and the walls of their corridor.
     const auto isSeenBy = [](const MapPlane& plane, std::size_t stop) {
@@ -209,6 +210,28 @@ void MapBuilderTest::aMatchMadeByHandHolds()
 
     QVERIFY(!builder.match(1, plane, std::size_t(100000)));
     QVERIFY(!builder.match(77, 0, std::nullopt));
+}
+
+/// Two parallel walls that one stop sees straight ahead, 0.1 m apart, each known to 10 mm: 0.1² / (2 · 0.01²) = 50.
+void MapBuilderTest::aMatchMadeByHandTellsHowFarItIs()
+{
+    Stop stop;
+    for (const double distance : {2.0, 2.1}) {
+        ObservedPlane& plane = stop.planes.emplace_back();
+        plane.parameters.normal = Eigen::Vector3d::UnitX();
+        plane.parameters.distance = distance;
+        plane.parameters.tangents.col(0) = Eigen::Vector3d::UnitY();
+        plane.parameters.tangents.col(1) = Eigen::Vector3d::UnitZ();
+        plane.parameters.covariance = 1e-4 * Eigen::Matrix3d::Identity();
+        plane.parts = {
+            {{{distance, 1.0, 1.0}, {distance, -1.0, 1.0}, {distance, -1.0, -1.0}, {distance, 1.0, -1.0}}, {}}};
+    }
+    MapBuilder builder(flatWalls());
+    QVERIFY(builder.join(stop));
+
+    QVERIFY(builder.match(0, 1, builder.map().stops[0].matches[0].plane));
+
+    QVERIFY(std::abs(builder.map().stops[0].matches[1].chiSquare - 50.0) < 1e-6);
 }
 
 void MapBuilderTest::whatCannotBeUsedIsNamed_data()

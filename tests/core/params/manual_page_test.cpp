@@ -51,6 +51,11 @@ void ManualPageTest::everyParameterHasARowWithItsValuesAndMeaning()
         }
         QVERIFY(rows.front().endsWith(QString::fromStdString(" " + std::string{row.meaning} + " |")));
     }
+    for (const ParameterRow& row : mappingRows()) {
+        const std::string value = printParameter(MappingParameters{}, row.key);
+        QVERIFY(page.contains(QString::fromStdString("| `" + std::string{row.key} + "` | `" + value + "` |")));
+        QVERIFY(page.contains(QString::fromStdString(" " + std::string{row.meaning} + " |\n")));
+    }
 }
 
 void ManualPageTest::everyPresetIsNamed()

@@ -34,6 +34,7 @@ private slots:
     void anUnknownKeyFarFromAllIsRefusedWithoutAGuess();
     void anAssignmentIsSplitAtItsFirstEqualsSign();
     void noLocaleChangesWhatIsReadOrPrinted();
+    void parametersOfMapsAreApartFromThoseOfExtractions();
 };
 
 namespace {
@@ -280,6 +281,22 @@ void RegistryTest::noLocaleChangesWhatIsReadOrPrinted()
     QVERIFY(pointIsRead);
     QCOMPARE(printed, std::string("0.125"));
     QVERIFY(!commaIsRead);
+}
+
+void RegistryTest::parametersOfMapsAreApartFromThoseOfExtractions()
+{
+    MappingParameters mapping;
+    Parameters extraction;
+
+    for (const ParameterRow& row : mappingRows())
+        QVERIFY2(row.key.starts_with(kMappingPart), qPrintable(text(row.key)));
+    QVERIFY(setParameter(mapping, "map.search-tilt=90"));
+    QCOMPARE(mapping.searchTilt, degrees(90.0));
+    QCOMPARE(printParameter(mapping, "map.search-tilt"), std::string("90"));
+    QCOMPARE(setParameter(mapping, "map.gapp=1").error().message,
+             std::string("there is no parameter 'map.gapp'; did you mean map.gap? 'planewright-cli params' lists all"));
+    QCOMPARE(setParameter(extraction, "map.gap=1").error().message,
+             std::string("parameter map.gap is one of maps of several stops: 'planewright-cli map' takes it"));
 }
 
 }  // namespace planewright

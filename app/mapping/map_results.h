@@ -19,6 +19,8 @@ namespace planewright {
 /// A stop of a map as a file gave it.
 struct StopScan {
     std::string name;  ///< as people call it: file and scan
+    std::string path;
+    int scan = 0;  ///< its number in a `.pwscan`; 0 where the file has just one
     int floor = 0;
     std::optional<Pose> odometry;     ///< where wheels tell it to be, in a frame of their own
     std::vector<PlaneResult> planes;  ///< in the stop's frame

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "app/mapping/stop_words.h"
+
+#include "core/types/angle_text.h"
+
+namespace planewright {
+
+namespace {
+
+/// A stop whose place planes tell no better than this is said to be odometry's along that direction [m].
+constexpr double kWellKnown = 0.05;
+
+/// The direction in which planes know a stop worst, where that is badly.
+std::string weakDirection(const MapStop& stop)
+{
+    const AxisStrength& shift = stop.strength.shift;
+    if (shift.weakestSigma && *shift.weakestSigma <= kWellKnown)
+        return {};
+    const Eigen::Vector3d& weak = shift.weakest;
+    return "(" + fixedText(weak.x(), 2) + " " + fixedText(weak.y(), 2) + " " + fixedText(weak.z(), 2) + ")";
+}
+
+}  // namespace
+
+std::string trustText(StopTrust trust)
+{
+    switch (trust) {
+        case StopTrust::First:
+            return "first";
+        case StopTrust::Planes:
+            return "planes";
+        case StopTrust::OdometryDecides:
+            return "odometry decides";
+        case StopTrust::AgainstOdometry:
+            return "planes against odometry";
+        case StopTrust::OdometryAlone:
+            return "odometry alone";
+        case StopTrust::Unplaced:
+            break;
+    }
+    return "not placed";
+}
+
+std::string warningOf(const MapStop& stop)
+{
+    const std::string others = std::to_string(stop.alternatives.size());
+    switch (stop.trust) {
+        case StopTrust::First:
+            return {};
+        case StopTrust::Unplaced:
+            return stop.alternatives.empty()
+                       ? "its planes fix no place in the map; it is left out. Give its odometry, or scan nearer"
+                       : "its planes fit " + others +
+                             " places in the map and nothing tells which; it is left out. "
+                             "Give its odometry";
+        case StopTrust::OdometryAlone:
+            return "too few of its planes are in the map; it is where odometry says, unchecked. Scan once more between";
+        case StopTrust::OdometryDecides:
+            return "its planes would fit " + others +
+                   (stop.alternatives.size() == 1 ? " other place" : " other places") +
+                   " as well; odometry alone tells which";
+        case StopTrust::AgainstOdometry:
+            return "its planes tell of another place than odometry, which is left out";
+        case StopTrust::Planes:
+            break;
+    }
+    if (!stop.loopRivals.empty())
+        return "it may be back where the map was before, but its planes fit " + std::to_string(stop.loopRivals.size()) +
+               " places there; the loop is left open. Scan once more near by";
+    if (const std::string weak = weakDirection(stop); !weak.empty())
+        return "its planes do not fix it along " + weak + "; odometry does";
+    return {};
+}
+
+}  // namespace planewright
