@@ -17,9 +17,9 @@ namespace planewright {
 
 namespace {
 
-constexpr std::size_t kAdjustedWith = 2;
+constexpr std::size_t kAdjustedWith = 2;  // stops beside the one that joins
 constexpr int kFlatnessRounds = 4;
-constexpr double kSameFlatness = 0.8;
+constexpr double kSameFlatness = 0.8;  // a flatness that is less by no more than this share is none to adjust by
 
 }  // namespace
 
@@ -28,20 +28,38 @@ Result<MapAdjustment> MapBuilder::adjust()
     std::vector<Eigen::Vector3d> before;
     for (const MapStop& stop : map_.stops)
         before.push_back(stop.pose.translation);
+    auto done = adjustAndDecide();
+    for (std::size_t stop = 0; stop < before.size(); ++stop) {
+        if (map_.stops[stop].isPlaced())
+            index_.move(stop, before[stop], map_.stops[stop].pose.translation);
+    }
+    return done;
+}
+
+/// What was left open is decided between two adjustments.
+Result<MapAdjustment> MapBuilder::adjustAndDecide()
+{
     auto done = adjustWhole();
     if (!done)
         return done;
     const double costBefore = done->costBefore;
     const StopsAround around = [this](std::size_t stop) { return stopsNear(map_.stops[stop].pose.translation, stop); };
-    if (fusePlanes(map_, extents_, around, parameters_.gap) > 0) {
+    if (fusePlanes(map_, extents_, around, parameters_.gap) > 0)
         done = adjustWhole();
-        if (!done)
-            return done;
-    }
-    // Stops join by what was told, so that no match is missed; the whole map shows how even its walls are.
+    if (done)
+        done = adjustToUnevenness(*done);
+    if (done)
+        done->costBefore = costBefore;
+    return done;
+}
+
+/// Stops join by what was told, so that no match is missed; the whole map shows how even its walls are.
+Result<MapAdjustment> MapBuilder::adjustToUnevenness(const MapAdjustment& adjusted)
+{
     std::vector<std::shared_ptr<const Stop>> told;
     for (const MapStop& stop : map_.stops)
         told.push_back(stop.stop);
+    Result<MapAdjustment> done = adjusted;
     double flatness = parameters_.flatness;
     for (int round = 0; round < kFlatnessRounds && done; ++round) {
         const double found = unevennessOf(map_, flatness, parameters_.flatness);
@@ -53,13 +71,6 @@ Result<MapAdjustment> MapBuilder::adjust()
     }
     for (std::size_t stop = 0; stop < told.size(); ++stop)
         map_.stops[stop].stop = told[stop];
-    if (!done)
-        return done;
-    done->costBefore = costBefore;
-    for (std::size_t stop = 0; stop < before.size(); ++stop) {
-        if (map_.stops[stop].isPlaced())
-            index_.move(stop, before[stop], map_.stops[stop].pose.translation);
-    }
     return done;
 }
 
