@@ -9,13 +9,13 @@
 #include <set>
 
 #include "core/mapping/map_changes.h"
+#include "core/mapping/match_jointly.h"
 
 namespace planewright {
 
 namespace {
 
 constexpr double kFits = 7.815;       // χ² of 3 degrees of freedom: 95 %
-constexpr double kMayFit = 16.27;     // and 99.9 %
 constexpr double kTellsApart = 0.02;  // standard deviation of the distance between two planes [m]
 constexpr double kSlack = 0.05;       // of outlines, for what is left of the poses' errors [m]
 
@@ -95,7 +95,7 @@ private:
         const auto plane = onlyFit(candidateOf(sighting), &mayFit);
         PlaneMatch& match = map_.stops[sighting.stop].matches[sighting.plane];
         if (plane) {
-            match = {MatchState::Matched, *plane, {}, 0.0};
+            match = {MatchState::Matched, *plane, {}, chiSquareOf(map_, sighting, *plane)};
             addSighting(map_, *plane, sighting);
         } else if (!mayFit) {
             match = {MatchState::New, addPlane(map_, sighting), {}, 0.0};
@@ -146,7 +146,7 @@ private:
         const UncertainPlane one = seenFrom(a.parameters, place);
         const UncertainPlane other = seenFrom(b.parameters, place);
         const double chi = chiSquare(one, other);
-        if (chi > kMayFit || !isMeeting(a, b, gap_) || isSeenApart(a, b))
+        if (chi > MatchLimits{}.gate || !isMeeting(a, b, gap_) || isSeenApart(a, b))
             return Likeness::Differs;
         const bool tells = std::sqrt(one.covariance(2, 2) + other.covariance(2, 2)) < kTellsApart;
         return chi < kFits && tells ? Likeness::IsOne : Likeness::MayBeOne;

@@ -12,22 +12,16 @@
 
 #include "core/mapping/check_stop.h"
 #include "core/mapping/decide_stop.h"
-#include "core/mapping/fuse_planes.h"
 #include "core/mapping/map_changes.h"
-#include "core/mapping/map_covariances.h"
-#include "core/mapping/unevenness.h"
 #include "core/types/square.h"
 
 namespace planewright {
 
 namespace {
 
-constexpr double kIndexCell = 5.0;  // [m]
-constexpr int kFlatnessRounds = 4;
-constexpr double kSameFlatness = 0.8;
+constexpr double kIndexCell = 5.0;     // [m]
 constexpr std::size_t kAncestors = 3;  // of the stop before that are always looked at
-constexpr std::size_t kAdjustedWith = 2;
-constexpr double kNearShift = 0.05;  // stops that have drifted no more than this are matched as one [m]
+constexpr double kNearShift = 0.05;    // stops that have drifted no more than this are matched as one [m]
 constexpr double kNearTurn = degrees(0.3);
 constexpr double kTightShift = 0.1;  // a loop that may be off by more is looked for elsewhere as well [m]
 
@@ -139,56 +133,6 @@ MapBuilder::Attempt MapBuilder::attemptAnywhere(const Stop& stop, const StopExte
     const NearPlanes planes(map_, extents_, attempt.near, tree_, attempt.base);
     attempt.decision = decideStop(stop, extents, planes, parameters_);
     return attempt;
-}
-
-Result<MapAdjustment> MapBuilder::adjust()
-{
-    std::vector<Eigen::Vector3d> before;
-    for (const MapStop& stop : map_.stops)
-        before.push_back(stop.pose.translation);
-    auto done = adjustWhole();
-    if (!done)
-        return done;
-    const double costBefore = done->costBefore;
-    const StopsAround around = [this](std::size_t stop) { return stopsNear(map_.stops[stop].pose.translation, stop); };
-    if (fusePlanes(map_, extents_, around, parameters_.gap) > 0) {
-        done = adjustWhole();
-        if (!done)
-            return done;
-    }
-    // Stops join by what was told, so that no match is missed; the whole map shows how even its walls are.
-    std::vector<std::shared_ptr<const Stop>> told;
-    for (const MapStop& stop : map_.stops)
-        told.push_back(stop.stop);
-    double flatness = parameters_.flatness;
-    for (int round = 0; round < kFlatnessRounds && done; ++round) {
-        const double found = unevennessOf(map_, flatness, parameters_.flatness);
-        if (!(found < kSameFlatness * flatness))
-            break;
-        changeFlatness(map_, flatness, found);
-        flatness = found;
-        done = adjustWhole();
-    }
-    for (std::size_t stop = 0; stop < told.size(); ++stop)
-        map_.stops[stop].stop = told[stop];
-    if (!done)
-        return done;
-    done->costBefore = costBefore;
-    for (std::size_t stop = 0; stop < before.size(); ++stop) {
-        if (map_.stops[stop].isPlaced())
-            index_.move(stop, before[stop], map_.stops[stop].pose.translation);
-    }
-    return done;
-}
-
-Result<MapAdjustment> MapBuilder::adjustWhole()
-{
-    auto done = adjustMap(map_);
-    if (!done)
-        return done;
-    if (auto computed = computeCovariances(map_); !computed)
-        return tl::unexpected(computed.error());
-    return done;
 }
 
 Result<void> MapBuilder::match(std::size_t stop, std::size_t plane, std::optional<std::size_t> mapPlane)
@@ -303,35 +247,6 @@ void MapBuilder::addMatches(const StopMatch& found)
             mergedInto[gone] = kept;
         }
     }
-}
-
-void MapBuilder::adjustNear(std::size_t number, std::span<const std::size_t> near)
-{
-    std::vector<std::pair<int, std::size_t>> shared;
-    for (const std::size_t stop : near) {
-        int count = 0;
-        for (const PlaneMatch& match : map_.stops[stop].matches) {
-            count += match.plane && std::ranges::any_of(map_.stops[number].matches,
-                                                        [&](const PlaneMatch& own) { return own.plane == match.plane; })
-                         ? 1
-                         : 0;
-        }
-        shared.emplace_back(-count, stop);
-    }
-    std::ranges::sort(shared);
-    std::vector<std::size_t> adjusted{number};
-    for (const auto& [count, stop] : shared) {
-        if (adjusted.size() <= kAdjustedWith && count < 0)
-            adjusted.push_back(stop);
-    }
-    std::vector<Eigen::Vector3d> before;
-    for (const std::size_t stop : adjusted)
-        before.push_back(map_.stops[stop].pose.translation);
-    // Where it finds no solution the stop stays as it was registered.
-    if (!adjustStops(map_, adjusted))
-        return;
-    for (std::size_t i = 0; i < adjusted.size(); ++i)
-        index_.move(adjusted[i], before[i], map_.stops[adjusted[i]].pose.translation);
 }
 
 void MapBuilder::closeLoop(std::size_t number, std::size_t base, JoinReport& report)

@@ -36,9 +36,14 @@ Eigen::Matrix3d unevenCovariance(const ObservedPlane& plane)
     return uneven.parameters.covariance;
 }
 
-std::vector<Residual> residualsOf(const BuildingMap& map, double inUse, double& freedom)
+struct Residuals {
+    std::vector<Residual> all;
+    double freedom = 1.0;  ///< degrees of freedom over the numbers that they are
+};
+
+Residuals residualsOf(const BuildingMap& map, double inUse)
 {
-    std::vector<Residual> residuals;
+    Residuals residuals;
     double planes = 0.0;
     std::vector<bool> counts(map.stops.size(), false);
     for (const MapPlane& plane : map.planes) {
@@ -56,14 +61,15 @@ std::vector<Residual> residualsOf(const BuildingMap& map, double inUse, double& 
             rough.covariance = uneven;
             const Eigen::Vector3d middle = stop.pose * middleOf(seen);
             const UncertainPlane there = seenFrom(inMap(even, stop.pose), middle);
-            residuals.push_back({difference(there, seenFrom(plane.parameters, middle)), there.covariance,
-                                 seenFrom(inMap(rough, stop.pose), middle).covariance});
+            residuals.all.push_back({difference(there, seenFrom(plane.parameters, middle)), there.covariance,
+                                     seenFrom(inMap(rough, stop.pose), middle).covariance});
         }
     }
     // Of three numbers a sighting, three a plane and six a pose are fitted.
     const auto stops = static_cast<double>(std::ranges::count(counts, true));
-    const auto seen = static_cast<double>(residuals.size());
-    freedom = seen > 0.0 ? std::max(0.1, (seen - planes - 2.0 * std::max(0.0, stops - 1.0)) / seen) : 1.0;
+    const auto seen = static_cast<double>(residuals.all.size());
+    if (seen > 0.0)
+        residuals.freedom = std::max(0.1, (seen - planes - 2.0 * std::max(0.0, stops - 1.0)) / seen);
     return residuals;
 }
 
@@ -84,19 +90,19 @@ double medianChi(const std::vector<Residual>& residuals, double flatness)
 
 double unevennessOf(const BuildingMap& map, double inUse, double told)
 {
-    double freedom = 1.0;
-    const std::vector<Residual> residuals = residualsOf(map, inUse, freedom);
+    const auto [residuals, freedom] = residualsOf(map, inUse);
     if (residuals.size() < kLeastSeen)
         return inUse;
+    const double expected = freedom * kMedianChi3;
     double low = kLeastShare * told;
     double high = told;
-    if (medianChi(residuals, low) <= freedom * kMedianChi3)
+    if (medianChi(residuals, low) <= expected)
         return low;
-    if (medianChi(residuals, high) >= freedom * kMedianChi3)
+    if (medianChi(residuals, high) >= expected)
         return high;
     for (int i = 0; i < kHalvings; ++i) {
         const double between = std::sqrt(low * high);
-        (medianChi(residuals, between) > freedom * kMedianChi3 ? low : high) = between;
+        (medianChi(residuals, between) > expected ? low : high) = between;
     }
     return high;
 }
