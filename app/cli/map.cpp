@@ -115,11 +115,12 @@ Result<ExitCode> mapStops(MapOptions options)
     auto inputs = stopInputs(options.inputs);
     if (!inputs)
         return tl::unexpected{inputs.error()};
+    std::vector<std::string> problems;
     const auto edits =
-        options.noEdits ? Result<std::vector<StopEdit>>(std::vector<StopEdit>{}) : mapEditsOf(options.inputs);
+        options.noEdits ? Result<std::vector<StopEdit>>(std::vector<StopEdit>{}) : mapEditsOf(options.inputs, problems);
     if (!edits)
         return tl::unexpected{edits.error()};
-    std::vector<std::string> problems;
+    const bool lacksEdits = !problems.empty();
     *inputs = withEdits(std::move(*inputs), *edits, problems);
     if (inputs->empty())
         return fail(ErrorCode::Usage, "edits leave no stop for the map; give --no-edits for all");
@@ -148,7 +149,7 @@ Result<ExitCode> mapStops(MapOptions options)
     const auto done = outputs.empty() ? print(mapTable(*mapped, input->stops)) : outputs.write(*input, *mapped);
     if (!done)
         return tl::unexpected{done.error()};
-    return input->damaged ? ExitCode::Damaged : ExitCode::Done;
+    return input->damaged || lacksEdits ? ExitCode::Damaged : ExitCode::Done;
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ std::string placeText(const std::string& path, int scan, PlaneId plane)
 
 }  // namespace
 
-Result<std::vector<StopEdit>> mapEditsOf(std::span<const std::string> paths)
+Result<std::vector<StopEdit>> mapEditsOf(std::span<const std::string> paths, std::vector<std::string>& problems)
 {
     std::vector<StopEdit> edits;
     for (const std::string& path : paths) {
@@ -68,7 +68,8 @@ Result<std::vector<StopEdit>> mapEditsOf(std::span<const std::string> paths)
         const auto stored = mapEditsOfPwscan(path);
         if (!stored)
             return tl::unexpected{stored.error()};
-        for (const MapEdit& edit : editsInForce(*stored))
+        problems.insert(problems.end(), stored->problems.begin(), stored->problems.end());
+        for (const MapEdit& edit : editsInForce(stored->edits))
             edits.push_back({path, edit});
     }
     return edits;

@@ -21,8 +21,9 @@ struct StopEdit {
     MapEdit edit;
 };
 
-/// The edits in force that recordings hold, file by file in their order. Errors: Unreadable.
-Result<std::vector<StopEdit>> mapEditsOf(std::span<const std::string> paths);
+/// The edits in force that recordings hold, file by file in their order. What cannot be used of them is told to
+/// `problems`. Errors: Unreadable.
+Result<std::vector<StopEdit>> mapEditsOf(std::span<const std::string> paths, std::vector<std::string>& problems);
 
 /// The stops that are left, in their order, with the odometry that was typed in. An edit of a stop that is not there is
 /// told to `problems`.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -217,15 +218,18 @@ Result<std::vector<StoredMapEdit>> readMapEdits(SqlDatabase& database, ProblemLi
     }
 }
 
-Result<std::vector<StoredMapEdit>> mapEditsOfPwscan(const std::string& path)
+Result<ReadMapEdits> mapEditsOfPwscan(const std::string& path)
 {
     auto database = openPwscanForReading(path);
     if (!database)
         return tl::unexpected{database.error()};
     if (const auto version = checkPwscanSchema(*database, path); !version)
         return tl::unexpected{version.error()};
-    ProblemList problems{path, 1};
-    return readMapEdits(*database, problems);
+    ProblemList problems{path, kMaxListedProblems};
+    auto edits = readMapEdits(*database, problems);
+    if (!edits)
+        return tl::unexpected{edits.error()};
+    return ReadMapEdits{std::move(*edits), problems.texts()};
 }
 
 std::vector<MapEdit> editsInForce(const std::vector<StoredMapEdit>& edits)

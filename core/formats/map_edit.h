@@ -63,8 +63,14 @@ Result<int> insertMapEdit(SqlDatabase& database, const MapEdit& edit, bool undon
 /// The edits of the map of all scans, in their order. What cannot be used is left out and told to `problems`.
 Result<std::vector<StoredMapEdit>> readMapEdits(SqlDatabase& database, ProblemList& problems);
 
-/// Those that a file holds. Errors: as of scansOfPwscan.
-Result<std::vector<StoredMapEdit>> mapEditsOfPwscan(const std::string& path);
+/// The edits of the map that a file holds, and what of them cannot be used, beginning with the file's name.
+struct ReadMapEdits {
+    std::vector<StoredMapEdit> edits;
+    std::vector<std::string> problems;
+};
+
+/// Errors: as of scansOfPwscan.
+Result<ReadMapEdits> mapEditsOfPwscan(const std::string& path);
 
 /// The edits that are not undone, in their order.
 std::vector<MapEdit> editsInForce(const std::vector<StoredMapEdit>& edits);

@@ -160,11 +160,11 @@ void MapEditTest::editsAreThereWhenTheFileIsOpenedAgain()
     const auto edits = mapEditsOfPwscan(path_);
 
     QVERIFY(edits);
-    QCOMPARE(edits->size(), std::size_t(2));
-    QCOMPARE(edits->front().seq, first);
-    QVERIFY(edits->front().undone);
-    QCOMPARE(edits->front().edit.as->plane, 5);
-    const auto inForce = editsInForce(*edits);
+    QCOMPARE(edits->edits.size(), std::size_t(2));
+    QCOMPARE(edits->edits.front().seq, first);
+    QVERIFY(edits->edits.front().undone);
+    QCOMPARE(edits->edits.front().edit.as->plane, 5);
+    const auto inForce = editsInForce(edits->edits);
     QCOMPARE(inForce.size(), std::size_t(1));
     QCOMPARE(inForce.front().scan, 1);
     QCOMPARE(inForce.front().plane, 4);
@@ -203,8 +203,10 @@ void MapEditTest::aBadEditIsNamedAndLeftOut()
     const RecordingProblems problems = pwscanProblems(path_);
 
     QVERIFY(edits);
-    QCOMPARE(edits->size(), std::size_t(1));
+    QCOMPARE(edits->edits.size(), std::size_t(1));
+    QCOMPARE(edits->problems.size(), std::size_t(1));
     QVERIFY(problems.damaged);
+    QCOMPARE(edits->problems.front(), problems.warnings.front());
     QVERIFY2(problems.warnings.front().ends_with("edit 1: 'plane' is no plane number; it is not applied"),
              problems.warnings.front().c_str());
 }
@@ -222,11 +224,11 @@ void MapEditTest::whatIsWrittenWithAScanIsOfThatScan()
     const auto edits = mapEditsOfPwscan(path_);
 
     QVERIFY(edits);
-    QCOMPARE(edits->size(), std::size_t(2));
-    QCOMPARE((*edits)[0].edit.scan, 1);
-    QVERIFY((*edits)[0].undone);
-    QCOMPARE((*edits)[1].edit.scan, 2);
-    QCOMPARE((*edits)[1].edit.plane, 1);
+    QCOMPARE(edits->edits.size(), std::size_t(2));
+    QCOMPARE(edits->edits[0].edit.scan, 1);
+    QVERIFY(edits->edits[0].undone);
+    QCOMPARE(edits->edits[1].edit.scan, 2);
+    QCOMPARE(edits->edits[1].edit.plane, 1);
 }
 
 PLANEWRIGHT_TEST(MapEditTest)
