@@ -25,18 +25,19 @@ namespace {
 std::vector<StoredMapEdit> matchesOf(const MapInput& all, const StopScan& stop)
 {
     std::vector<StoredMapEdit> matches;
-    for (const auto& [path, edit] : all.edits) {
-        if (edit.kind != MapEdit::Kind::Match || path != stop.path || edit.scan != stop.scan)
+    for (const StopEdit& each : all.edits) {
+        MapEdit edit = each.edit;
+        if (edit.kind != MapEdit::Kind::Match || each.path != stop.path || edit.scan != stop.scan)
             continue;
-        MapEdit renumbered = edit;
         if (edit.as) {
-            const auto other = std::ranges::find_if(
-                all.stops, [&](const StopScan& each) { return each.path == stop.path && each.scan == edit.as->scan; });
+            const auto other = std::ranges::find_if(all.stops, [&](const StopScan& scan) {
+                return scan.path == stop.path && scan.scan == edit.as->scan;
+            });
             if (other == all.stops.end())
                 continue;
-            renumbered.as->scan = static_cast<int>(other - all.stops.begin()) + 1;
+            edit.as->scan = static_cast<int>(other - all.stops.begin()) + 1;
         }
-        matches.push_back({0, renumbered, false});
+        matches.push_back({0, edit, false});
     }
     return matches;
 }

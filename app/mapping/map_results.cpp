@@ -92,8 +92,7 @@ std::vector<PlaneResult> mapPlaneResults(const BuildingMap& map, std::span<const
             result.stops.push_back(static_cast<int>(number));
         }
         std::ranges::sort(result.stops);
-        const auto same = std::ranges::unique(result.stops);
-        result.stops.erase(same.begin(), same.end());
+        result.stops.erase(std::unique(result.stops.begin(), result.stops.end()), result.stops.end());
         UncertainPlane parameters = inMap(mapped.parameters, frame);
         makeCanonical(parameters);
         plane->normal = parameters.normal;

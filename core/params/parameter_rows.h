@@ -45,7 +45,8 @@ constexpr auto rowsOf(const NoiseParameters& /*part*/)
                   "allow for it."},
         Parameter{"noise.estimated", &NoiseParameters::estimated, Unit::Switch, Range{0.0, 1.0}, "",
                   "Range and pitch noise are found in the scan itself, from what is told here on; only planes by "
-                  "likelihood."},
+                  "likelihood. Where ranges scatter by less than half of that, segments.split-distance, "
+                  "planes.flatness and likelihood.strip-width are less in proportion."},
         Parameter{"noise.pitch-common", &NoiseParameters::pitchCommon, Unit::Switch, Range{0.0, 1.0}, "",
                   "The pitch error is one for all points of a slice; otherwise each point has its own."},
     };

@@ -152,6 +152,15 @@ struct Parameters {
         constexpr double kSystematicSigmas = 3.0;
         return std::max(planes.flatness, kSystematicSigmas * noise.systematic);
     }
+
+    /// Makes the lengths smaller by which a scan's scale would decide: what is a bend, how uneven a wall is and how
+    /// wide a pole. A cupboard is measured by a finer scanner than a hall.
+    void makeFiner(double fineness)
+    {
+        segments.splitDistance *= fineness;
+        planes.flatness *= fineness;
+        likelihood.stripWidth *= fineness;
+    }
 };
 
 }  // namespace planewright

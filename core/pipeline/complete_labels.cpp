@@ -22,13 +22,19 @@ constexpr int kReach = 8;
 constexpr int kBorder = 6;
 constexpr double kSigmas = 3.0;
 
+double flatnessFloor(Parameters parameters, const SensorNoise& noise)
+{
+    parameters.makeFiner(noise.fineness);
+    return parameters.flatnessFloor();
+}
+
 /// Scans the planes for the best explanation of an echo.
 class Labeller {
 public:
     Labeller(const Snapshot& snapshot, const Recording& recording, const Parameters& parameters, Labels& labels)
         : recording_(recording),
           noise_(parameters.noise),
-          floor_(parameters.flatnessFloor()),
+          floor_(flatnessFloor(parameters, snapshot.noise)),
           sensor_(sensorOf(recording.description)),
           labels_(labels)
     {

@@ -22,6 +22,8 @@ constexpr int kRemainingSlices = 6;
 constexpr int kSettledSlices = 5;
 /// Range noise is estimated anew when there are so many times the samples.
 constexpr double kSampleGrowth = 1.1;
+/// Ranges that scatter by less than what was told over this are of a finer scanner in a smaller scene.
+constexpr double kFiner = 2.0;
 
 }  // namespace
 
@@ -50,9 +52,11 @@ void LikelihoodMethod::adapt(const Parameters& parameters)
     if (static_cast<double>(rangeNoise_.samples()) >= kSampleGrowth * static_cast<double>(estimatedAt_)) {
         estimatedAt_ = rangeNoise_.samples();
         rangeFound_ = rangeNoise_.estimate(parameters.noise);
+        fineness_ = std::min(1.0, kFiner * rangeNoise_.share(rangeFound_, parameters.noise));
     }
     inUse_.noise = rangeFound_;
     inUse_.noise.pitch = pitchNoise_.estimate(parameters.noise.pitch);
+    inUse_.makeFiner(fineness_);
 }
 
 /// The last fit knows no flatness floor, and what that kept out of the pitch noise is noise to it: covariances would be
@@ -229,7 +233,7 @@ void LikelihoodMethod::publish(Snapshot& snapshot)
     }
     snapshot.segments = log_;
     snapshot.noise = {inUse_.noise.rangeConstant, inUse_.noise.rangeProportional, inUse_.noise.pitch,
-                      inUse_.noise.estimated};
+                      inUse_.noise.estimated, fineness_};
     snapshot.planes.reserve(map_.planes().size());
     for (PlaneTrack& plane : map_.planes())
         snapshot.planes.push_back(publishedPlane(plane, map_));

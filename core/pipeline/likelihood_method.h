@@ -43,6 +43,7 @@ private:
 
     RangeNoise rangeNoise_;
     NoiseParameters rangeFound_;
+    double fineness_ = 1.0;         // 1 where ranges scatter as told
     std::int64_t estimatedAt_ = 0;  // samples of range noise when it was estimated last
     PitchNoise pitchNoise_;
     Parameters inUse_;  // those of the step, with the noise that the scan has told: stages read these

@@ -186,4 +186,19 @@ NoiseParameters RangeNoise::estimate(const NoiseParameters& told) const
     return found;
 }
 
+double RangeNoise::share(const NoiseParameters& found, const NoiseParameters& told) const
+{
+    double varianceFound = 0.0;
+    double varianceTold = 0.0;
+    for (const Octave& octave : octaves_) {
+        if (octave.samples == 0)
+            continue;
+        const auto samples = static_cast<double>(octave.samples);
+        const double range = std::sqrt(octave.squaredRanges / samples);
+        varianceFound += samples * found.rangeVariance(range);
+        varianceTold += samples * told.rangeVariance(range);
+    }
+    return varianceTold > 0.0 ? std::sqrt(varianceFound / varianceTold) : 1.0;
+}
+
 }  // namespace planewright

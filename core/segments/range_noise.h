@@ -29,6 +29,9 @@ public:
     /// cannot see.
     NoiseParameters estimate(const NoiseParameters& told) const;
 
+    /// Standard deviation of the ranges of this scan by what was found over that by what was told; 1 without samples.
+    double share(const NoiseParameters& found, const NoiseParameters& told) const;
+
     std::int64_t samples() const { return samples_; }
 
 private:

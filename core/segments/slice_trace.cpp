@@ -46,6 +46,7 @@ Parameters withNoise(Parameters parameters, const SensorNoise& noise)
     parameters.noise.rangeConstant = noise.rangeConstant;
     parameters.noise.rangeProportional = noise.rangeProportional;
     parameters.noise.pitch = noise.pitch;
+    parameters.makeFiner(noise.fineness);
     return parameters;
 }
 

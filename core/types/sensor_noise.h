@@ -11,6 +11,7 @@ struct SensorNoise {
     double rangeProportional = 0.0;  ///< what distance adds to it, per metre (root of the sum of squares)
     double pitch = 0.0;              ///< standard deviation of a slice's pitch [rad]
     bool estimated = false;          ///< found in the scan
+    double fineness = 1.0;           ///< of the lengths that decide, see Parameters::makeFiner
 };
 
 }  // namespace planewright

@@ -389,9 +389,9 @@ void LineageView::drawAxis(QPainter& painter) const
         painter.drawLine(QPointF(x, top), QPointF(x, top + 4.0));
         constexpr double kHalf = 24.0;  // [px]
         const double left = std::min(x - kHalf, viewport()->width() - 2.0 * kHalf);
+        const Qt::Alignment side = left < x - kHalf ? Qt::AlignRight : Qt::AlignHCenter;
         painter.drawText(QRectF(left, top + 3.0, 2.0 * kHalf, kAxisHeight - 3.0),
-                         Qt::AlignVCenter | (left < x - kHalf ? Qt::AlignRight : Qt::AlignHCenter),
-                         QString::number(step));
+                         static_cast<int>(side | Qt::AlignVCenter), QString::number(step));
     }
 }
 

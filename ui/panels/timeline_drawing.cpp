@@ -174,9 +174,8 @@ void TimelineStrip::drawRuler(QPainter& painter) const
         if (step == 0 && each > 1 && each * columnRect(0).width() < kTickSpace)
             continue;
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(number,
-                         (number.left() == area.left() - kMargin ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter,
-                         QString::number(step + 1));
+        const Qt::Alignment side = number.left() == area.left() - kMargin ? Qt::AlignLeft : Qt::AlignHCenter;
+        painter.drawText(number, static_cast<int>(side | Qt::AlignVCenter), QString::number(step + 1));
     }
 }
 

@@ -45,6 +45,8 @@ private slots:
     void planesOfSimulatedRoomsAreFound();
     void noiseFreeWallsAreExact();
     void covariancesAreHonest();
+    void theScaleOfASceneChangesNothing_data();
+    void theScaleOfASceneChangesNothing();
     void theNoiseOfTheScannerIsFound_data();
     void theNoiseOfTheScannerIsFound();
     void explanationsChangeNothing();
@@ -125,6 +127,46 @@ void PreciseRoomsTest::covariancesAreHonest()
     std::sort(squares.begin(), squares.end());
     const double median = squares[squares.size() / 2];
     QVERIFY2(median > 2.366 / 1.5 && median < 2.366 * 1.5, qPrintable(QString::number(median)));
+}
+
+void PreciseRoomsTest::theScaleOfASceneChangesNothing_data()
+{
+    QTest::addColumn<double>("scale");
+    QTest::newRow("a cupboard") << 0.1;
+    QTest::newRow("a large hall") << 10.0;
+}
+
+/// Rooms, scanner and noise are all so many times as large; nothing is set for that.
+void PreciseRoomsTest::theScaleOfASceneChangesNothing()
+{
+    QFETCH(double, scale);
+    std::size_t truePlanes = 0;
+    std::size_t foundPlanes = 0;
+    std::size_t correct = 0;
+
+    for (const std::string_view scene : {"corridor", "office", "hall"}) {
+        SimulatedRoom room = scanOf(scene, "default", 3);
+        for (TruePlane& plane : room.scene.planes)
+            plane.distance *= scale;
+        ScanDescription& description = room.scan.recording.description;
+        description.rangeMin *= scale;
+        description.rangeMax *= scale;
+        description.pitchAxisOffset *= scale;
+        for (ScanSlice& slice : room.scan.recording.slices) {
+            for (double& range : slice.ranges)
+                range *= scale;
+        }
+        const LabelComparison compared =
+            comparedWithTruth(room, *extracted(room.scan.recording, precise()), 200, precise());
+        truePlanes += compared.groups;
+        foundPlanes += compared.regions;
+        correct += compared.correct.size();
+    }
+
+    QVERIFY2(static_cast<double>(correct) >= 0.95 * static_cast<double>(truePlanes),
+             qPrintable(QString("%1 of %2 planes found").arg(correct).arg(truePlanes)));
+    QVERIFY2(static_cast<double>(correct) >= 0.95 * static_cast<double>(foundPlanes),
+             qPrintable(QString("%1 of %2 found planes are true").arg(correct).arg(foundPlanes)));
 }
 
 void PreciseRoomsTest::theNoiseOfTheScannerIsFound_data()

@@ -60,6 +60,7 @@ private slots:
     void missingBeamsAndEdgesDoNotCount();
     void aSixteenthOfWhatWasToldIsTheLeast();
     void rangesThatErrTogetherAreNeverBetterThanTold();
+    void theShareIsThatOfAllRanges();
     void hostileSlicesAreSurvived();
 };
 
@@ -169,6 +170,28 @@ void RangeNoiseTest::rangesThatErrTogetherAreNeverBetterThanTold()
 
     QVERIFY(within(1e-9, estimate.rangeConstant, 0.01));
     QVERIFY(within(1e-9, estimate.rangeProportional, 0.001));
+}
+
+/// Told 10 mm and 0.1 %, found half of both.
+void RangeNoiseTest::theShareIsThatOfAllRanges()
+{
+    NoiseParameters told;
+    told.rangeConstant = 0.01;
+    told.rangeProportional = 0.001;
+    NoiseParameters half = told;
+    half.rangeConstant = 0.005;
+    half.rangeProportional = 0.0005;
+    RangeNoise noise;
+
+    QCOMPARE(noise.share(half, told), 1.0);
+    ScanSlice wall = emptySlice(0.0, degrees(0.25), 721);
+    for (std::size_t i = 0; i < wall.ranges.size(); ++i)
+        wall.ranges[i] = 4.0 / std::max(0.2, std::sin(wall.bearing(i)));
+    noise.add(wall, kNoiseSensor, told);
+
+    QVERIFY(noise.samples() > 100);
+    QVERIFY(within(1e-12, noise.share(half, told), 0.5));
+    QVERIFY(within(1e-12, noise.share(told, told), 1.0));
 }
 
 void RangeNoiseTest::hostileSlicesAreSurvived()
