@@ -30,9 +30,8 @@ std::vector<StoredMapEdit> matchesOf(const MapInput& all, const StopScan& stop)
         if (edit.kind != MapEdit::Kind::Match || each.path != stop.path || edit.scan != stop.scan)
             continue;
         if (edit.as) {
-            const auto other = std::ranges::find_if(all.stops, [&](const StopScan& scan) {
-                return scan.path == stop.path && scan.scan == edit.as->scan;
-            });
+            const auto other = std::ranges::find_if(
+                all.stops, [&](const StopScan& scan) { return scan.path == stop.path && scan.scan == edit.as->scan; });
             if (other == all.stops.end())
                 continue;
             edit.as->scan = static_cast<int>(other - all.stops.begin()) + 1;
