@@ -99,8 +99,10 @@ void CompareControl::connectActions()
         parts_.window->present(false);
         parts_.window->compare();
         show();
-        if (!branch_)
+        if (!branch_) {
+            chooseAnother();
             run(panel_->choice());
+        }
     });
     connect(actions[QStringLiteral("actMovingAverages")], &QAction::triggered, this, &CompareControl::showExample);
     const auto refresh = [this, &actions] {
@@ -148,6 +150,20 @@ QString CompareControl::nameOfScan() const
         return haveSameValues(candidate.parameters, parameters);
     });
     return match == candidates.rend() ? tr("this scan") : match->name;
+}
+
+/// A scan beside itself shows nothing: the first choice that differs from it, where the present one does not.
+void CompareControl::chooseAnother()
+{
+    if (parts_.session.history().empty())
+        return;
+    const Parameters& ofScan = *parts_.session.history().back().parameters;
+    const auto isOther = [&](const Choice& choice) { return !haveSameValues(choice.parameters, ofScan); };
+    if (isOther(choices_[static_cast<std::size_t>(panel_->choice())]))
+        return;
+    const auto other = std::find_if(choices_.begin(), choices_.end(), isOther);
+    if (other != choices_.end())
+        panel_->setChoice(static_cast<int>(other - choices_.begin()));
 }
 
 /// The second view looks like the first, from the same place.

@@ -43,6 +43,7 @@ private:
     static std::vector<Choice> choices(const Parameters& present);
     QString nameOfScan() const;
     void refreshChoices();
+    void chooseAnother();
     void connectActions();
     void connectView();
     void follow(const View3d& from, View3d& to);

@@ -28,6 +28,7 @@ struct PlaneMatch {
     std::optional<std::size_t> plane;  ///< in BuildingMap::planes; none while open
     std::vector<std::size_t> rivals;   ///< planes of the map that it may be; a single one: or else a new plane
     double chiSquare = 0.0;            ///< of the match when it was made, 3 expected
+    bool isByHand = false;             ///< somebody said so: it is not decided again
 };
 
 /// What a stop's pose rests on.

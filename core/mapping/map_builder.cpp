@@ -13,7 +13,6 @@
 #include "core/mapping/check_stop.h"
 #include "core/mapping/decide_stop.h"
 #include "core/mapping/map_changes.h"
-#include "core/mapping/map_covariances.h"
 #include "core/types/square.h"
 
 namespace planewright {
@@ -22,8 +21,7 @@ namespace {
 
 constexpr double kIndexCell = 5.0;     // [m]
 constexpr std::size_t kAncestors = 3;  // of the stop before that are always looked at
-constexpr std::size_t kAdjustedWith = 2;
-constexpr double kNearShift = 0.05;  // stops that have drifted no more than this are matched as one [m]
+constexpr double kNearShift = 0.05;    // stops that have drifted no more than this are matched as one [m]
 constexpr double kNearTurn = degrees(0.3);
 constexpr double kTightShift = 0.1;  // a loop that may be off by more is looked for elsewhere as well [m]
 
@@ -137,34 +135,19 @@ MapBuilder::Attempt MapBuilder::attemptAnywhere(const Stop& stop, const StopExte
     return attempt;
 }
 
-Result<MapAdjustment> MapBuilder::adjust()
-{
-    std::vector<Eigen::Vector3d> before;
-    for (const MapStop& stop : map_.stops)
-        before.push_back(stop.pose.translation);
-    const auto done = adjustMap(map_);
-    if (!done)
-        return done;
-    for (std::size_t stop = 0; stop < before.size(); ++stop) {
-        if (map_.stops[stop].isPlaced())
-            index_.move(stop, before[stop], map_.stops[stop].pose.translation);
-    }
-    if (auto computed = computeCovariances(map_); !computed)
-        return tl::unexpected(computed.error());
-    return done;
-}
-
 Result<void> MapBuilder::match(std::size_t stop, std::size_t plane, std::optional<std::size_t> mapPlane)
 {
     if (stop >= map_.stops.size() || !map_.stops[stop].isPlaced() || plane >= map_.stops[stop].matches.size())
         return fail(ErrorCode::Usage, "There is no such plane of a stop that is placed in the map.");
     if (mapPlane && (*mapPlane >= map_.planes.size() || map_.planes[*mapPlane].sightings.empty()))
         return fail(ErrorCode::Usage, "The map has no plane " + std::to_string(*mapPlane) + ".");
-    if (mapPlane == map_.stops[stop].matches[plane].plane && mapPlane)
+    if (mapPlane == map_.stops[stop].matches[plane].plane && mapPlane) {
+        map_.stops[stop].matches[plane].isByHand = true;
         return {};
+    }
     removeSighting(map_, {stop, plane});
     PlaneMatch& match = map_.stops[stop].matches[plane];
-    match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0};
+    match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0, true};
     if (!mapPlane) {
         match.plane = addPlane(map_, {stop, plane});
         return {};
@@ -264,35 +247,6 @@ void MapBuilder::addMatches(const StopMatch& found)
             mergedInto[gone] = kept;
         }
     }
-}
-
-void MapBuilder::adjustNear(std::size_t number, std::span<const std::size_t> near)
-{
-    std::vector<std::pair<int, std::size_t>> shared;
-    for (const std::size_t stop : near) {
-        int count = 0;
-        for (const PlaneMatch& match : map_.stops[stop].matches) {
-            count += match.plane && std::ranges::any_of(map_.stops[number].matches,
-                                                        [&](const PlaneMatch& own) { return own.plane == match.plane; })
-                         ? 1
-                         : 0;
-        }
-        shared.emplace_back(-count, stop);
-    }
-    std::ranges::sort(shared);
-    std::vector<std::size_t> adjusted{number};
-    for (const auto& [count, stop] : shared) {
-        if (adjusted.size() <= kAdjustedWith && count < 0)
-            adjusted.push_back(stop);
-    }
-    std::vector<Eigen::Vector3d> before;
-    for (const std::size_t stop : adjusted)
-        before.push_back(map_.stops[stop].pose.translation);
-    // Where it finds no solution the stop stays as it was registered.
-    if (!adjustStops(map_, adjusted))
-        return;
-    for (std::size_t i = 0; i < adjusted.size(); ++i)
-        index_.move(adjusted[i], before[i], map_.stops[adjusted[i]].pose.translation);
 }
 
 void MapBuilder::closeLoop(std::size_t number, std::size_t base, JoinReport& report)

@@ -77,6 +77,9 @@ private:
     StopMotion motionOf(const Expectation& expected) const;
     std::vector<std::size_t> stopsNear(const Eigen::Vector3d& place, std::size_t base) const;
     bool isNear(std::size_t a, std::size_t b) const;
+    Result<MapAdjustment> adjustAndDecide();
+    Result<MapAdjustment> adjustToUnevenness(const MapAdjustment& adjusted);
+    Result<MapAdjustment> adjustWhole();
     void addStop(MapStop stop, StopExtents extents);
     void addMatches(const StopMatch& match);
     void adjustNear(std::size_t number, std::span<const std::size_t> near);

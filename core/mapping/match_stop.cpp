@@ -54,9 +54,10 @@ std::vector<MatchChoices> choicesOf(const Stop& stop, const StopExtents& extents
 }
 
 /// A pair that nothing but odometry vouches for, when the plane was looked for within this [m] or more, must have been
-/// seen in places at least so alike: else it may as well be another plane that is new.
+/// seen in places of which one covers so much of the other: what was there before is not seen through what is new. Else
+/// it may as well be another plane.
 constexpr double kVouchedFor = 0.03;
-constexpr double kAlike = 0.4;
+constexpr double kCovered = 0.6;
 
 /// True where two planes near by are pieces of one that were seen apart: they nowhere overlap, and are one plane by
 /// numbers that would tell them apart if they were not.
@@ -119,7 +120,7 @@ StopMatch matchStop(const Stop& stop, const StopExtents& extents, const NearPlan
         if (!meetsNow(i, *joint.chosen[i]))
             continue;
         const bool isVouchedFor =
-            joint.looseness[i] <= kVouchedFor || near.likeness(extents[i], first->pose, chosen) >= kAlike;
+            joint.looseness[i] <= kVouchedFor || near.coverage(extents[i], first->pose, chosen) >= kCovered;
         if (!match.rivals[i].empty() || !isVouchedFor) {
             match.rivals[i].insert(match.rivals[i].begin(), near.planes()[chosen].plane);
             continue;

@@ -91,7 +91,7 @@ bool NearPlanes::meets(const Extent& seen, const Pose& pose, std::size_t near, d
     return meet(onPlane(seen, pose, plane.frame), plane.rings, gap);
 }
 
-double NearPlanes::likeness(const Extent& seen, const Pose& pose, std::size_t near) const
+double NearPlanes::coverage(const Extent& seen, const Pose& pose, std::size_t near) const
 {
     constexpr int kSamples = 12;  // along each side
     const NearPlane& plane = planes_[near];
@@ -112,7 +112,7 @@ double NearPlanes::likeness(const Extent& seen, const Pose& pose, std::size_t ne
         common += contains(plane.rings, point) ? 1 : 0;
     }
     const double area = areaOf(seen);
-    return inside == 0 ? 0.0 : area * common / inside / std::max(area, plane.area);
+    return inside == 0 ? 0.0 : area * common / inside / std::min(area, plane.area);
 }
 
 bool NearPlanes::overlap(std::size_t a, std::size_t b) const

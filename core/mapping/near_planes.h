@@ -39,9 +39,9 @@ public:
     /// True where a stop's plane at a pose and the near plane of this place overlap or are at most `gap` [m] apart.
     bool meets(const Extent& seen, const Pose& pose, std::size_t near, double gap) const;
 
-    /// How alike the places are where a stop's plane at a pose and the near plane of this place were seen: the area of
-    /// both over the larger one, 0 to 1.
-    double likeness(const Extent& seen, const Pose& pose, std::size_t near) const;
+    /// Of the places where a stop's plane at a pose and the near plane of this place were seen, how much of the smaller
+    /// one lies in the other, 0 to about 1.
+    double coverage(const Extent& seen, const Pose& pose, std::size_t near) const;
 
     /// True where two near planes were seen in places that overlap, each laid on the first.
     bool overlap(std::size_t a, std::size_t b) const;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/geometry/sensor_model.h"
+#include "core/segments/slice_trace.h"
 
 namespace planewright {
 
@@ -22,25 +23,16 @@ constexpr int kReach = 8;
 constexpr int kBorder = 6;
 constexpr double kSigmas = 3.0;
 
-double flatnessFloor(Parameters parameters, const SensorNoise& noise)
-{
-    parameters.makeFiner(noise.fineness);
-    return parameters.flatnessFloor();
-}
-
-/// Scans the planes for the best explanation of an echo.
+/// Scans the planes for the best explanation of an echo, with the noise that the scan has told.
 class Labeller {
 public:
     Labeller(const Snapshot& snapshot, const Recording& recording, const Parameters& parameters, Labels& labels)
         : recording_(recording),
           noise_(parameters.noise),
-          floor_(flatnessFloor(parameters, snapshot.noise)),
+          floor_(parameters.flatnessFloor()),
           sensor_(sensorOf(recording.description)),
           labels_(labels)
     {
-        noise_.rangeConstant = snapshot.noise.rangeConstant;
-        noise_.rangeProportional = snapshot.noise.rangeProportional;
-        noise_.pitch = snapshot.noise.pitch;
         for (const auto& plane : snapshot.planes) {
             if (static_cast<std::size_t>(plane->id) >= planes_.size())
                 planes_.resize(static_cast<std::size_t>(plane->id) + 1, nullptr);
@@ -192,7 +184,7 @@ void completeLabels(std::vector<std::vector<PlaneId>>& labels, const Snapshot& s
 {
     if (parameters.method.estimator != Estimator::Likelihood)
         return;
-    Labeller labeller(snapshot, recording, parameters, labels);
+    Labeller labeller(snapshot, recording, withNoise(parameters, snapshot.noise), labels);
     for (std::size_t slice = 0; slice < labels.size(); ++slice)
         labeller.labelSlice(slice);
 }

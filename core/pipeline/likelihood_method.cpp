@@ -47,8 +47,10 @@ void LikelihoodMethod::adapt(const Parameters& parameters)
 {
     inUse_ = parameters;
     map_.parametersChanged();
-    if (!parameters.noise.estimated)
+    if (!parameters.noise.estimated) {
+        fineness_ = 1.0;
         return;
+    }
     if (static_cast<double>(rangeNoise_.samples()) >= kSampleGrowth * static_cast<double>(estimatedAt_)) {
         estimatedAt_ = rangeNoise_.samples();
         rangeFound_ = rangeNoise_.estimate(parameters.noise);

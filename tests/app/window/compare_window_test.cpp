@@ -25,6 +25,7 @@ private slots:
     void cleanup();
     void anExtractionWithItsOwnParametersIsTheSame();
     void theOtherMethodIsShownBesideIt();
+    void theLayoutComparesWithAnotherMethod();
     void bothShowTheStepThatIsLookedAt();
     void bothShowThePhaseThatIsLookedAt();
     void bothHaveOneCamera();
@@ -106,6 +107,18 @@ void CompareWindowTest::theOtherMethodIsShownBesideIt()
     QVERIFY(totals.contains(QStringLiteral(">%1</td>").arg(planes)));
     const QImage picture = parts_->window->secondView().picture({400, 300}, 1.0);
     QVERIFY(coloursOf(picture, kFewestColours) >= kFewestColours);
+}
+
+void CompareWindowTest::theLayoutComparesWithAnotherMethod()
+{
+    QVERIFY(shown_->scanCorridor());
+
+    shown_->action("actLayoutCompare")->trigger();
+    QVERIFY(settle());
+
+    QVERIFY(branch() != nullptr);
+    QCOMPARE(panel().findChild<QComboBox*>(QStringLiteral("compareWith"))->currentText(), QStringLiteral("paper"));
+    QVERIFY(branch()->parameters().method.estimator != parts_->session.parameters().method.estimator);
 }
 
 void CompareWindowTest::bothShowTheStepThatIsLookedAt()

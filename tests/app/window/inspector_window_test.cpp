@@ -472,7 +472,7 @@ void InspectorWindowTest::theGraphLeadsToItsSteps()
     QVERIFY(parts_->selection.planes() == std::set<PlaneId>{birth.plane});
     // Where a plane ends, what became of it is selected.
     emit lineage().planeChosen(gone, merger.step);
-    QVERIFY(waitUntil([&] { return parts_->shown->step == merger.step; }, kPatience));
+    QVERIFY(waitUntil([this, step = merger.step] { return parts_->shown->step == step; }, kPatience));
     QVERIFY(parts_->selection.planes() == std::set<PlaneId>{kept});
 }
 

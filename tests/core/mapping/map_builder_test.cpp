@@ -82,7 +82,7 @@ void MapBuilderTest::twentyStopsAroundALoopMakeATrueMap()
         MapBuilder builder = mapOf(stops);
         QVERIFY(builder.adjust());
 
-        const MapScore score = scoreMap(builder.map(), stops, plan);
+        const MapScore score = scoreMap(builder.map(), stops, plan.planes());
         QCOMPARE(score.shifts.size(), std::size_t(19));
         QCOMPARE(score.wrong, 0);
         QVERIFY(meanOf(score.shifts) < 0.01);
@@ -128,7 +128,7 @@ void MapBuilderTest::aLoopThatDriftedIsClosed()
     QVERIFY(closed);
     QVERIFY(builder.adjust());
 
-    const MapScore score = scoreMap(builder.map(), stops, plan);
+    const MapScore score = scoreMap(builder.map(), stops, plan.planes());
     QCOMPARE(score.wrong, 0);
     // The last stop sees what the first one saw: floor, ceiling and the walls of their corridor.
     const auto isSeenBy = [](const MapPlane& plane, std::size_t stop) {

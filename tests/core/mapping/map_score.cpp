@@ -41,7 +41,7 @@ double errorWhereKnown(const Eigen::Vector3d& error, const Eigen::Matrix3d& cova
 
 }  // namespace
 
-MapScore scoreMap(const BuildingMap& map, std::span<const SimulatedStop> stops, const FloorPlan& plan)
+MapScore scoreMap(const BuildingMap& map, std::span<const SimulatedStop> stops, std::span<const OrientedPlane> planes)
 {
     MapScore score;
     const Pose toMap = stops.front().truth.inverse();
@@ -66,7 +66,7 @@ MapScore scoreMap(const BuildingMap& map, std::span<const SimulatedStop> stops, 
                     if (stops[m].planes[j] != stops[n].planes[i] || !map.stops[m].isPlaced())
                         continue;
                     const bool overlaps = overlapInTruth(stops[n], i, extents[n], stops[m], j, extents[m],
-                                                         plan.planes()[static_cast<std::size_t>(stops[n].planes[i])]);
+                                                         planes[static_cast<std::size_t>(stops[n].planes[i])]);
                     isPossible = isPossible || overlaps;
                     isMade = isMade || (overlaps && stop.matches[i].plane &&
                                         map.stops[m].matches[j].plane == stop.matches[i].plane);
@@ -86,7 +86,7 @@ MapScore scoreMap(const BuildingMap& map, std::span<const SimulatedStop> stops, 
         score.wrong += static_cast<int>(wrong);
         if (wrong > 0)
             continue;
-        const OrientedPlane& known = plan.planes()[static_cast<std::size_t>(first)];
+        const OrientedPlane& known = planes[static_cast<std::size_t>(first)];
         UncertainPlane truth;
         truth.normal = known.normal;
         truth.distance = known.distance;

@@ -23,8 +23,9 @@ struct MapScore {
     std::vector<double> planeErrors;  ///< of each plane of the map, 3 expected; those of wrong sightings left out
 };
 
-/// `stops` are those that were joined, in order; errors are in the frame of the first.
-MapScore scoreMap(const BuildingMap& map, std::span<const SimulatedStop> stops, const FloorPlan& plan);
+/// `stops` are those that were joined, in order, `planes` the true ones that they name; errors are in the frame of the
+/// first.
+MapScore scoreMap(const BuildingMap& map, std::span<const SimulatedStop> stops, std::span<const OrientedPlane> planes);
 
 double meanOf(std::span<const double> values);
 

@@ -47,6 +47,7 @@ private slots:
     void covariancesAreHonest();
     void theScaleOfASceneChangesNothing_data();
     void theScaleOfASceneChangesNothing();
+    void noiseThatIsNotEstimatedIsAsToldAgain();
     void theNoiseOfTheScannerIsFound_data();
     void theNoiseOfTheScannerIsFound();
     void explanationsChangeNothing();
@@ -140,9 +141,7 @@ void PreciseRoomsTest::theScaleOfASceneChangesNothing_data()
 void PreciseRoomsTest::theScaleOfASceneChangesNothing()
 {
     QFETCH(double, scale);
-    std::size_t truePlanes = 0;
-    std::size_t foundPlanes = 0;
-    std::size_t correct = 0;
+    RoomTotals found;
 
     for (const std::string_view scene : {"corridor", "office", "hall"}) {
         SimulatedRoom room = scanOf(scene, "default", 3);
@@ -156,17 +155,34 @@ void PreciseRoomsTest::theScaleOfASceneChangesNothing()
             for (double& range : slice.ranges)
                 range *= scale;
         }
-        const LabelComparison compared =
-            comparedWithTruth(room, *extracted(room.scan.recording, precise()), 200, precise());
-        truePlanes += compared.groups;
-        foundPlanes += compared.regions;
-        correct += compared.correct.size();
+        found += comparedWithTruth(room, *extracted(room.scan.recording, precise()), 200, precise());
     }
 
-    QVERIFY2(static_cast<double>(correct) >= 0.95 * static_cast<double>(truePlanes),
-             qPrintable(QString("%1 of %2 planes found").arg(correct).arg(truePlanes)));
-    QVERIFY2(static_cast<double>(correct) >= 0.95 * static_cast<double>(foundPlanes),
-             qPrintable(QString("%1 of %2 found planes are true").arg(correct).arg(foundPlanes)));
+    QVERIFY2(static_cast<double>(found.correct) >= 0.95 * static_cast<double>(found.truePlanes),
+             qPrintable(QString("%1 of %2 planes found").arg(found.correct).arg(found.truePlanes)));
+    QVERIFY2(static_cast<double>(found.correct) >= 0.95 * static_cast<double>(found.foundPlanes),
+             qPrintable(QString("%1 of %2 found planes are true").arg(found.correct).arg(found.foundPlanes)));
+}
+
+/// Lengths that a fine scan has made smaller are whole again when its noise is taken from what is told.
+void PreciseRoomsTest::noiseThatIsNotEstimatedIsAsToldAgain()
+{
+    SimulationNoise noise = *simulationNoise("default");
+    noise.rangeConstant = 0.0005;
+    noise.rangeProportional = 0.0;
+    const SimulatedScan scan = simulate(*makeScene("office", 1), *acquisitionSettings("table8"), noise, 1);
+    PlaneExtractor extractor(sensorOf(scan.recording.description), precise());
+    for (int step = 0; step < 20; ++step)
+        extractor.step(scan.recording.slices[static_cast<std::size_t>(step)]);
+    QVERIFY(extractor.step(scan.recording.slices[20])->noise.fineness < 1.0);
+    Parameters told = precise();
+    told.noise.estimated = false;
+
+    extractor.setParameters(told);
+    const SensorNoise after = extractor.step(scan.recording.slices[21])->noise;
+
+    QVERIFY(!after.estimated);
+    QCOMPARE(after.fineness, 1.0);
 }
 
 void PreciseRoomsTest::theNoiseOfTheScannerIsFound_data()

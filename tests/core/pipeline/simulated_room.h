@@ -61,4 +61,19 @@ inline LabelComparison comparedWithTruth(const SimulatedRoom& room, const Snapsh
     return *compareLabels(labels, room.scan.labels, planes, truth, {0.5, minReturns});
 }
 
+/// What was found in several rooms.
+struct RoomTotals {
+    std::size_t truePlanes = 0;
+    std::size_t foundPlanes = 0;
+    std::size_t correct = 0;
+
+    RoomTotals& operator+=(const LabelComparison& room)
+    {
+        truePlanes += room.groups;
+        foundPlanes += room.regions;
+        correct += room.correct.size();
+        return *this;
+    }
+};
+
 }  // namespace planewright

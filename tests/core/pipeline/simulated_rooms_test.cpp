@@ -22,24 +22,19 @@ private slots:
 
 void SimulatedRoomsTest::nearlyAllPlanesAreFoundAndFewAreFalse()
 {
-    std::size_t truePlanes = 0;
-    std::size_t foundPlanes = 0;
-    std::size_t correct = 0;
+    RoomTotals found;
 
     for (const std::string_view scene : {"corridor", "office", "hall"}) {
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
             const SimulatedRoom room = scanOf(scene, "default", seed);
-            const LabelComparison compared = comparedWithTruth(room, *extracted(room.scan.recording), 400);
-            truePlanes += compared.groups;
-            foundPlanes += compared.regions;
-            correct += compared.correct.size();
+            found += comparedWithTruth(room, *extracted(room.scan.recording), 400);
         }
     }
 
-    QVERIFY2(static_cast<double>(correct) >= 0.95 * static_cast<double>(truePlanes),
-             qPrintable(QString("%1 of %2 planes found").arg(correct).arg(truePlanes)));
-    QVERIFY2(static_cast<double>(correct) >= 0.95 * static_cast<double>(foundPlanes),
-             qPrintable(QString("%1 of %2 found planes are true").arg(correct).arg(foundPlanes)));
+    QVERIFY2(static_cast<double>(found.correct) >= 0.95 * static_cast<double>(found.truePlanes),
+             qPrintable(QString("%1 of %2 planes found").arg(found.correct).arg(found.truePlanes)));
+    QVERIFY2(static_cast<double>(found.correct) >= 0.95 * static_cast<double>(found.foundPlanes),
+             qPrintable(QString("%1 of %2 found planes are true").arg(found.correct).arg(found.foundPlanes)));
 }
 
 void SimulatedRoomsTest::fewPointsAreReadTwice_data()

@@ -14,13 +14,14 @@
 
 #include "core/simulation/nodding_scanner.h"
 #include "core/types/angle.h"
+#include "tests/sanitized.h"
 #include "tests/test_program.h"
 
 using namespace planewright;
 
 namespace {
 
-constexpr std::uint64_t kSeeds = 20;
+constexpr std::uint64_t kSeeds = kIsSanitized ? 4 : 20;
 
 std::map<int, int> returnsOf(const Scene& scene, const SimulationNoise& noise, std::uint64_t seed)
 {
