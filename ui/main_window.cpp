@@ -147,6 +147,9 @@ void MainWindow::showBottomPanel(const QString& name)
 
 void MainWindow::showWelcome(bool shown)
 {
+    if (!shown && showsMapMode())
+        return;
+    showMapMode(false);
     pages_->setCurrentWidget(shown ? static_cast<QWidget*>(welcome_) : views_);
     if (shown)
         foldEmpty();
@@ -274,7 +277,9 @@ void MainWindow::showInspector()
 void MainWindow::present(bool on)
 {
     for (QDockWidget* dock : docks_)
-        dock->setVisible(!on);
+        dock->setVisible(!on && !showsMapMode());
+    if (showsMapMode())
+        mapDock_->setVisible(!on);
     statusBar()->setVisible(!on);
     findChild<QToolBar*>(QStringLiteral("toolBar"))->setVisible(!on);
 }
@@ -311,6 +316,7 @@ void MainWindow::restoreLayout(QSettings& settings)
 
 void MainWindow::saveLayout(QSettings& settings)
 {
+    showMapMode(false);
     unfold();
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));

@@ -33,6 +33,13 @@ public:
     View3d& secondView();
     void showSecondView(bool shown);
     bool showsSecondView() const;
+    /// In the place of the first one while a map of several stops is shown; made when it is asked for first.
+    View3d& mapView();
+    /// The view that is to be seen: of the map, or the first one.
+    View3d& shownView();
+    /// The map's view, and its panel at the side in the place of all others, which come back as they were.
+    void showMapMode(bool shown, QWidget* panel = nullptr);
+    bool showsMapMode() const;
     WindowActions& actions() { return *actions_; }
     Banner& banner() { return *banner_; }
     WelcomePage& welcome() { return *welcome_; }
@@ -90,6 +97,9 @@ private:
 
     View3d* view_;
     View3d* secondView_ = nullptr;
+    View3d* mapView_ = nullptr;
+    QDockWidget* mapDock_ = nullptr;
+    QStringList besideMap_;  ///< docks that come back after the map
     QSplitter* views_;
     WindowActions* actions_;
     Banner* banner_;

@@ -100,6 +100,12 @@ constexpr std::array kRows{
         "Let the head move again, after Stop motion or after it has turned itself off"},
     Row{"&Scan", "", "", "", "", kSeparator},
     Row{"&Scan", "actRerun", "Re-r&un extraction", "Ctrl+R", "Extract the whole scan with the present parameters"},
+    Row{"&Scan", "", "", "", "", kSeparator},
+    Row{"&Scan", "actMapMode", "&Map of all stops", "Ctrl+Shift+M",
+        "Make one map of all scans of the file and show it, or go back to the scan", kCheckable},
+    Row{"&Scan", "actExportMapPlanes", "Export map p&lanes…", "", "Planes of the map as CSV, JSON, PLY, OBJ or DXF"},
+    Row{"&Scan", "actExportMapPoses", "Export map p&oses…", "", "Corrected poses of the stops in the TUM format"},
+    Row{"&Scan", "actExportMapPlan", "Export map pla&n…", "", "Plan of a floor as DXF or SVG"},
 
     Row{"&Timeline", "actPlay", "&Play", "Space", "Play the steps of the scan again, or pause", kCheckable},
     Row{"&Timeline", "actStepBack", "Step &back", ",; Left", "Look at the step before"},

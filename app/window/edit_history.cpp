@@ -3,20 +3,14 @@
 
 #include "app/window/edit_history.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace planewright {
 
 void EditHistory::begin(PwscanProject* project, int scan, std::vector<StoredEdit> edits)
 {
-    project_ = project;
+    EditLine::begin(project, std::move(edits));
     scan_ = scan;
-    edits_ = std::move(edits);
-    redo_.clear();
-    // What a file holds as undone at its end can be made again.
-    for (std::size_t i = edits_.size(); i > 0 && edits_[i - 1].undone; --i)
-        redo_.push_back(i - 1);
 }
 
 Result<void> EditHistory::moveInto(PwscanProject* project, int scan)
@@ -45,52 +39,24 @@ Result<void> EditHistory::add(const Edit& edit)
             return tl::unexpected{seq.error()};
         stored.seq = *seq;
     }
-    edits_.push_back(std::move(stored));
-    redo_.clear();
+    push(std::move(stored));
     return {};
 }
 
-std::optional<std::size_t> EditHistory::lastDone() const
+void MapEditHistory::begin(PwscanProject* project)
 {
-    const auto last = std::find_if(edits_.rbegin(), edits_.rend(), [](const StoredEdit& edit) { return !edit.undone; });
-    if (last == edits_.rend())
-        return std::nullopt;
-    return static_cast<std::size_t>(edits_.rend() - last) - 1;
+    auto edits = project != nullptr ? project->mapEdits() : Result<std::vector<StoredMapEdit>>();
+    EditLine::begin(project, edits ? std::move(*edits) : std::vector<StoredMapEdit>{});
 }
 
-std::optional<std::size_t> EditHistory::nextRedone() const
+Result<void> MapEditHistory::add(const MapEdit& edit)
 {
-    return redo_.empty() ? std::nullopt : std::optional{redo_.back()};
-}
-
-Result<void> EditHistory::setUndone(std::size_t place, bool undone)
-{
-    if (project_ != nullptr) {
-        if (auto written = project_->setUndone(edits_[place].seq, undone); !written)
-            return written;
-    }
-    edits_[place].undone = undone;
-    return {};
-}
-
-Result<void> EditHistory::undo()
-{
-    const std::optional<std::size_t> last = lastDone();
-    if (!last)
-        return {};
-    if (auto done = setUndone(*last, true); !done)
-        return done;
-    redo_.push_back(*last);
-    return {};
-}
-
-Result<void> EditHistory::redo()
-{
-    if (redo_.empty())
-        return {};
-    if (auto done = setUndone(redo_.back(), false); !done)
-        return done;
-    redo_.pop_back();
+    if (project_ == nullptr)
+        return fail(ErrorCode::Usage, "There is no file that could hold edits of a map; open a .pwscan.");
+    const auto seq = project_->append(edit);
+    if (!seq)
+        return tl::unexpected{seq.error()};
+    push({*seq, edit, false});
     return {};
 }
 

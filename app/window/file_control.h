@@ -19,6 +19,11 @@ class FileControl : public QObject {
 public:
     FileControl(WindowParts& parts, ScanControl& scan);
 
+    /// The file that somebody chooses to write to; empty for none.
+    QString chosenTarget(const QString& title, const QString& name, const QString& filters);
+    /// Writes a file in the background, and tells how that went.
+    void write(const QString& source, const QString& file, const Result<std::function<Result<void>()>>& writing);
+
 private:
     void openWithDialog();
     void importWithDialog();
@@ -27,8 +32,6 @@ private:
     void exportWithDialog(ExportKind kind, const QString& title, const QString& name);
     void takeScreenshot();
     void takeScreenshotWithOptions();
-    QString chosenTarget(const QString& title, const QString& name, const QString& filters);
-    void write(const QString& source, const QString& file, const Result<std::function<Result<void>()>>& writing);
     void save(const QImage& picture, const QString& file);
     void validate();
     void tellProblems(const QString& file, const Result<RecordingProblems>& problems);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/window/map_words.h"
 #include "app/window/timeline_words.h"
 #include "core/types/plane_words.h"
 #include "ui/dialogs/history_dialog.h"
@@ -118,7 +119,10 @@ void PlaneEdits::showHistory()
     const auto show = [this, &dialog] {
         std::vector<HistoryDialog::Line> lines;
         for (const UndoLine::Entry& entry : parts_.undo.entries())
-            lines.push_back({entry.edit ? timelineLineOf(*entry.edit) : tr("Extracted once more"), entry.isUndone});
+            lines.push_back({entry.edit      ? timelineLineOf(*entry.edit)
+                             : entry.mapEdit ? lineOf(*entry.mapEdit)
+                                             : tr("Extracted once more"),
+                             entry.isUndone});
         dialog.setLines(lines, parts_.undo.canUndo(), parts_.undo.canRedo());
     };
     connect(&parts_.undo, &UndoLine::changed, &dialog, show);

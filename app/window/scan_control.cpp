@@ -76,12 +76,14 @@ void ScanControl::connectSession()
     connect(&session, &ScanSession::projectChanged, this, [this] {
         parts_.selection.clear();
         parts_.edits.begin(parts_.session.project(), parts_.session.scanInProject(), parts_.session.storedEdits());
+        parts_.mapEdits.begin(parts_.session.project());
         parts_.showMap();
         showFlawsOfFile();
     });
     connect(&session, &ScanSession::projectBegun, this, [this] {
         if (const auto moved = parts_.edits.moveInto(parts_.session.project(), parts_.session.scanInProject()); !moved)
             parts_.problem(tr("edits"), moved.error());
+        parts_.mapEdits.begin(parts_.session.project());
     });
     connect(&session, &ScanSession::mapChanged, this, [this] { parts_.showMap(); });
     connect(&parts_, &WindowParts::mapShown, this, &ScanControl::refreshOverlay);

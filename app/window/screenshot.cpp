@@ -33,7 +33,7 @@ void drawOver(QImage& image, QWidget& window, QWidget& dialog)
 
 QImage takePicture(WindowParts& parts, QSize size, bool wholeWindow)
 {
-    View3d& view = parts.window->view();
+    View3d& view = parts.window->shownView();
     const double ratio = parts.window->devicePixelRatioF();
     QImage image;
     if (wholeWindow) {

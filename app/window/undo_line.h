@@ -14,16 +14,17 @@
 
 namespace planewright {
 
-/// What can be undone, in one line: the edits of a scan's planes, and its re-runs between them.
+/// What can be undone, in one line: the edits of a scan's planes and of the map of all scans, and re-runs between them.
 class UndoLine : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must live as long as this.
-    UndoLine(ScanSession& session, EditHistory& edits, QObject* parent = nullptr);
+    /// All must live as long as this.
+    UndoLine(ScanSession& session, EditHistory& edits, MapEditHistory& mapEdits, QObject* parent = nullptr);
 
     /// Makes an edit; what was undone before can no longer be made again. Errors: as EditHistory::add().
     Result<void> add(const Edit& edit);
+    Result<void> add(const MapEdit& edit);
     /// Takes back what was done last, or makes what was taken back last again. Errors: NotWritten; Usage while a re-run
     /// cannot be exchanged. Without any nothing happens.
     Result<void> undo();
@@ -34,6 +35,7 @@ public:
     /// Something that was done: an edit, or a re-run.
     struct Entry {
         std::optional<Edit> edit;  ///< nothing of a re-run
+        std::optional<MapEdit> mapEdit = {};
         bool isUndone = false;
     };
     /// All of them in their order.
@@ -44,14 +46,23 @@ signals:
     void changed();
 
 private:
+    /// How many edits of both kinds there were when a re-run was made.
+    struct RerunPlace {
+        std::size_t edits = 0;
+        std::size_t mapEdits = 0;
+    };
+
     bool undoesRerun() const;
     bool redoesRerun() const;
+    bool undoesMapEdit() const;
+    bool redoesMapEdit() const;
+    void forgetUndone();
 
     ScanSession& session_;
     EditHistory& edits_;
-    // How many edits there were when each re-run was made.
-    std::vector<std::size_t> reruns_;
-    std::vector<std::size_t> undone_;  ///< the one taken back last is last
+    MapEditHistory& mapEdits_;
+    std::vector<RerunPlace> reruns_;
+    std::vector<RerunPlace> undone_;  ///< the one taken back last is last
 };
 
 }  // namespace planewright

@@ -57,10 +57,13 @@ void ViewControl::connectCameras()
                                                                        {"actViewSensor", NamedView::Sensor}}};
     for (const auto& [name, named] : kViews)
         connect(actions[QLatin1String(name)], &QAction::triggered, this,
-                [&view, named = named] { view.showNamed(named); });
-    connect(actions[QStringLiteral("actViewFit")], &QAction::triggered, &view, &View3d::fitAll);
-    connect(actions[QStringLiteral("actViewFitSelection")], &QAction::triggered, &view, &View3d::fitSelection);
-    connect(actions[QStringLiteral("actParallel")], &QAction::toggled, &view, &View3d::setParallel);
+                [this, named = named] { parts_.window->shownView().showNamed(named); });
+    connect(actions[QStringLiteral("actViewFit")], &QAction::triggered, this,
+            [this] { parts_.window->shownView().fitAll(); });
+    connect(actions[QStringLiteral("actViewFitSelection")], &QAction::triggered, this,
+            [this] { parts_.window->shownView().fitSelection(); });
+    connect(actions[QStringLiteral("actParallel")], &QAction::toggled, this,
+            [this](bool on) { parts_.window->shownView().setParallel(on); });
     connect(&view, &View3d::cameraChanged, this, [this, &actions] {
         actions[QStringLiteral("actParallel")]->setChecked(parts_.window->view().camera().parallel);
     });

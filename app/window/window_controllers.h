@@ -12,6 +12,7 @@
 #include "app/window/inspector_control.h"
 #include "app/window/kept_view.h"
 #include "app/window/lineage_control.h"
+#include "app/window/map_control.h"
 #include "app/window/measure_control.h"
 #include "app/window/plane_edits.h"
 #include "app/window/program_control.h"
@@ -41,6 +42,7 @@ struct WindowControllers {
           edits(parts),
           measure(parts),
           files(parts, scan),
+          map(parts, files, follower),
           program(parts),
           kept(parts)
     {
@@ -63,6 +65,7 @@ struct WindowControllers {
     PlaneEdits edits;
     MeasureControl measure;
     FileControl files;
+    MapControl map;
     ProgramControl program;
     KeptView kept;
 };

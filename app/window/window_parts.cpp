@@ -20,6 +20,7 @@ WindowParts::WindowParts(const ParameterOptions& given, const QString& settingsF
       session(sessionOptions(given)),
       window(std::make_unique<MainWindow>())
 {
+    given_ = given;
     layers.palette = preferences.palette;
     makePanels();
     connect(&worker, &MapWorker::shown, this,
@@ -53,6 +54,19 @@ SessionOptions WindowParts::sessionOptions(const ParameterOptions& given)
         return parametersInForce(given, scanner, {});
     };
     return options;
+}
+
+std::function<Result<std::vector<ParametersFrom>>(const std::string&, std::vector<ParametersFrom>)>
+WindowParts::parametersOfFiles() const
+{
+    ParameterOptions preferred = given_;
+    if (preferred.preset.empty())
+        preferred.preset = preferences.preset;
+    return [given = given_, preferred](const std::string& scanner, std::vector<ParametersFrom> stored) {
+        const bool usesStored = given.preset.empty() && !stored.empty();
+        return parametersInForce(usesStored ? given : preferred, scanner,
+                                 usesStored ? std::move(stored) : std::vector<ParametersFrom>{});
+    };
 }
 
 void WindowParts::makePanels()

@@ -66,11 +66,16 @@ public:
     bool isAtWork() const
     {
         return worker.isBusy() || background.isBusy() || (isComparing && isComparing()) || (isTrying && isTrying()) ||
-               (isMoving && isMoving());
+               (isMoving && isMoving()) || (isMapping && isMapping());
     }
 
     /// What the newest step was extracted with; the session's parameters without one.
     const Parameters& extractedWith() const;
+
+    /// What a scan of a file is extracted with: what is stored with it, or else as a new one would be. To be called on
+    /// any thread.
+    std::function<Result<std::vector<ParametersFrom>>(const std::string& scanner, std::vector<ParametersFrom> stored)>
+    parametersOfFiles() const;
 
     /// Asks for the session's map with the edits in force.
     void showMap();
@@ -89,11 +94,13 @@ public:
 
     ScanSession session;
     EditHistory edits;
-    UndoLine undo{session, edits};
+    MapEditHistory mapEdits;
+    UndoLine undo{session, edits, mapEdits};
     MapWorker worker;
     BackgroundWork background;
     std::function<bool()> isComparing;  ///< of whoever shows a second map
     std::function<bool()> isTrying;     ///< of whoever looks for devices and tests them
+    std::function<bool()> isMapping;    ///< of whoever makes a map of several stops
     std::function<bool()> isMoving;     ///< of whoever tells of steps: it waits for the playhead to rest
     /// Of whoever knows what an address needs beside it: called before it is opened.
     std::function<Result<void>(const std::string& fileOrAddress)> beforeOpen;
@@ -124,6 +131,8 @@ signals:
 
 private:
     SessionOptions sessionOptions(const ParameterOptions& given);
+
+    ParameterOptions given_;  ///< on the command line
     void makePanels();
     void take(const std::shared_ptr<const ShownMap>& map);
 

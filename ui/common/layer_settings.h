@@ -23,6 +23,12 @@ inline constexpr std::size_t kColourings = 6;
 inline constexpr std::array<std::string_view, kColourings> kColourByNames{"plane", "cluster", "step",
                                                                           "class", "height",  "one colour"};
 
+/// What the colours of planes tell in a map of several stops.
+enum class MapColourBy { Stop, Floor, Class, Uncertainty };
+inline constexpr std::size_t kMapColourings = 4;
+inline constexpr std::array<std::string_view, kMapColourings> kMapColourByNames{"stop", "floor", "class",
+                                                                                "uncertainty"};
+
 /// How a layer is drawn.
 struct LayerStyle {
     bool visible = true;
@@ -44,6 +50,7 @@ struct LayerSettings {
     ColourBy colourBy = ColourBy::Plane;
     PlanePalette palette = PlanePalette::Normal;
     bool labels = true;  ///< names on planes
+    MapColourBy mapColourBy = MapColourBy::Stop;
 
     LayerStyle& operator[](Layer layer) { return styles[static_cast<std::size_t>(layer)]; }
     const LayerStyle& operator[](Layer layer) const { return styles[static_cast<std::size_t>(layer)]; }

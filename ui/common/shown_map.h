@@ -12,6 +12,7 @@
 #include "core/types/scan_slice.h"
 #include "core/types/snapshot.h"
 #include "ui/common/filled_outline.h"
+#include "ui/common/shown_building.h"
 
 namespace planewright {
 
@@ -35,6 +36,7 @@ struct ShownMap {
     int step = -1;                                         ///< the newest slice's; −1 before the first
     int plannedSteps = 0;                                  ///< 0 where nobody knows
     bool finished = false;                                 ///< the forced last pass has been made
+    std::shared_ptr<const ShownBuilding> building;         ///< of a map of several stops, which has no slices
 };
 
 }  // namespace planewright

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <utility>
+
+#include "ui/scene/trajectory_layer.h"
 
 namespace planewright {
 
@@ -61,6 +64,22 @@ std::vector<std::size_t> largestFirst(const ShownMap& map, std::size_t most)
     return places;
 }
 
+/// What uncertainty's colours run from and over: three tenths of a millimetre to three centimetres.
+constexpr double kLeastSigma = 0.3e-3;  // [m]
+constexpr double kSigmaDecades = 2.0;
+constexpr std::array<std::pair<double, const char*>, 5> kSigmaMarks{
+    {{30e-3, "30 mm or more"}, {10e-3, "10 mm"}, {3e-3, "3 mm"}, {1e-3, "1 mm"}, {0.3e-3, "0.3 mm or less"}}};
+
+double placeOfSigma(double sigma)
+{
+    return std::log10(std::max(sigma, kLeastSigma) / kLeastSigma) / kSigmaDecades;
+}
+
+int placeOfFloor(const ShownBuilding& building, int floor)
+{
+    return static_cast<int>(std::find(building.floors.begin(), building.floors.end(), floor) - building.floors.begin());
+}
+
 }  // namespace
 
 Rgb scaleColour(double place)
@@ -90,8 +109,12 @@ Rgb classColour(const std::string& className, Theme theme)
 }
 
 Colouring::Colouring(const ShownMap& map, const LayerSettings& settings, Theme theme)
-    : map_(&map), by_(settings.colourBy), palette_(settings.palette), theme_(theme)
+    : map_(&map), by_(settings.colourBy), mapBy_(settings.mapColourBy), palette_(settings.palette), theme_(theme)
 {
+    if (map.building) {
+        colourBuilding();
+        return;
+    }
     planes_.reserve(map.planes.size());
     for (const ShownPlane& plane : map.planes)
         planes_.push_back(by_ == ColourBy::Class ? classColour(plane.className, theme)
@@ -114,6 +137,61 @@ Colouring::Colouring(const ShownMap& map, const LayerSettings& settings, Theme t
         }
         highest_ = std::max(highest_, lowest_ + 0.1);
     }
+}
+
+void Colouring::colourBuilding()
+{
+    const ShownBuilding& building = *map_->building;
+    for (std::size_t i = 0; i < map_->planes.size(); ++i) {
+        const ShownMapPlane& plane = building.planes[i];
+        switch (mapBy_) {
+            case MapColourBy::Stop:
+                planes_.push_back(planeColour(plane.firstStop, palette_, theme_));
+                break;
+            case MapColourBy::Floor:
+                planes_.push_back(planeColour(placeOfFloor(building, plane.floor), palette_, theme_));
+                break;
+            case MapColourBy::Class:
+                planes_.push_back(classColour(map_->planes[i].className, theme_));
+                break;
+            case MapColourBy::Uncertainty:
+                planes_.push_back(scaleColour(placeOfSigma(plane.sigma)));
+                break;
+        }
+    }
+}
+
+std::vector<LegendEntry> Colouring::legendOfBuilding() const
+{
+    const ShownBuilding& building = *map_->building;
+    std::vector<LegendEntry> entries{{correctedWayColour(theme_), "way of the map"},
+                                     {rawWayColour(theme_), "way by odometry"}};
+    std::set<std::string> classes;
+    std::set<int> stops;
+    switch (mapBy_) {
+        case MapColourBy::Stop:
+            for (const ShownMapPlane& plane : building.planes)
+                stops.insert(plane.firstStop);
+            for (const int stop : stops)
+                entries.push_back({planeColour(stop, palette_, theme_), "new at stop " + std::to_string(stop)});
+            break;
+        case MapColourBy::Floor:
+            for (const int floor : building.floors)
+                entries.push_back(
+                    {planeColour(placeOfFloor(building, floor), palette_, theme_), "floor " + std::to_string(floor)});
+            break;
+        case MapColourBy::Class:
+            for (const ShownPlane& plane : map_->planes)
+                classes.insert(plane.className.empty() ? "other" : plane.className);
+            for (const std::string& name : classes)
+                entries.push_back({classColour(name, theme_), name});
+            break;
+        case MapColourBy::Uncertainty:
+            for (const auto& [sigma, text] : kSigmaMarks)
+                entries.push_back({scaleColour(placeOfSigma(sigma)), text});
+            break;
+    }
+    return entries;
 }
 
 Rgb Colouring::of(int plane, ClusterId cluster, int step, double height) const
@@ -144,7 +222,9 @@ std::vector<LegendEntry> Colouring::legend(std::size_t most) const
             entries.push_back({scaleColour(place), textOf(lowest_ + place * (highest_ - lowest_))});
         }
     };
-    if (by_ == ColourBy::Step) {
+    if (map_->building) {
+        entries = legendOfBuilding();
+    } else if (by_ == ColourBy::Step) {
         scale([](double step) { return "step " + std::to_string(std::lround(step) + 1); });
     } else if (by_ == ColourBy::Height) {
         scale([](double height) { return metres(height); });

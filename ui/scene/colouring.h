@@ -39,8 +39,12 @@ public:
     std::vector<LegendEntry> legend(std::size_t most) const;
 
 private:
+    void colourBuilding();
+    std::vector<LegendEntry> legendOfBuilding() const;
+
     const ShownMap* map_;
     ColourBy by_;
+    MapColourBy mapBy_;
     PlanePalette palette_;
     Theme theme_;
     std::vector<Rgb> planes_;

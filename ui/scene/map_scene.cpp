@@ -16,10 +16,31 @@ namespace planewright {
 
 namespace {
 
+/// Of a map of several stops: of its planes, its stops and where odometry has them.
+Eigen::AlignedBox3d boundsOfBuilding(const ShownMap& map)
+{
+    Eigen::AlignedBox3d bounds;
+    for (const ShownPlane& plane : map.planes) {
+        for (const Outline::Polygon& part : plane.outline->outline.parts) {
+            for (const Eigen::Vector3d& corner : part.ring)
+                bounds.extend(corner);
+        }
+    }
+    for (const ShownStop& stop : map.building->stops) {
+        if (stop.isPlaced)
+            bounds.extend(stop.pose.translation);
+        if (stop.raw)
+            bounds.extend(stop.raw->translation);
+    }
+    return bounds;
+}
+
 /// Of the segments, and not of the points.
 Eigen::AlignedBox3d boundsOf(const ShownMap& map)
 {
     Eigen::AlignedBox3d bounds;
+    if (map.building)
+        return boundsOfBuilding(map);
     if (!map.snapshot)
         return bounds;
     const SegmentLog& log = map.snapshot->segments;
@@ -38,6 +59,8 @@ constexpr double kLeftOut = 0.01;  // of the segments' ends, at either end of an
 Eigen::AlignedBox3d framingOf(const ShownMap& map)
 {
     Eigen::AlignedBox3d framing;
+    if (map.building)
+        return boundsOfBuilding(map);
     if (!map.snapshot)
         return framing;
     const SegmentLog& log = map.snapshot->segments;
@@ -73,7 +96,8 @@ Eigen::AlignedBox3d framingOf(const ShownMap& map)
 
 }  // namespace
 
-MapScene::MapScene() : points_(renderer_), segments_(renderer_), marks_(renderer_), planes_(renderer_)
+MapScene::MapScene()
+    : points_(renderer_), segments_(renderer_), marks_(renderer_), trajectory_(renderer_), planes_(renderer_)
 {
     renderer_->GradientBackgroundOn();
     renderer_->SetTwoSidedLighting(false);
@@ -87,14 +111,15 @@ void MapScene::setMap(std::shared_ptr<const ShownMap> map)
     owners_ = SegmentOwners(*map_);
     bounds_ = boundsOf(*map_);
     framing_ = framingOf(*map_);
-    if (layers_.colourBy == ColourBy::Height || layers_.colourBy == ColourBy::Class)
+    if (map_->building || layers_.colourBy == ColourBy::Height || layers_.colourBy == ColourBy::Class)
         ++coloursVersion_;
     changed_ = true;
 }
 
 void MapScene::setLayers(const LayerSettings& settings)
 {
-    if (settings.colourBy != layers_.colourBy || settings.palette != layers_.palette)
+    if (settings.colourBy != layers_.colourBy || settings.palette != layers_.palette ||
+        settings.mapColourBy != layers_.mapColourBy)
         ++coloursVersion_;
     layers_ = settings;
     changed_ = true;
@@ -146,6 +171,7 @@ void MapScene::update()
         segments_.update(*map_, owners_, colouring, layers_, theme_, selection_.segments, pixelRatio_);
         planes_.update(*map_, colouring, layers_, theme_, selection_.planes, selection_.hovered, pixelRatio_);
         marks_.update(*map_, bounds_, layers_, theme_, measured_, selection_.pieces, pixelRatio_);
+        trajectory_.update(map_->building.get(), theme_, pixelRatio_);
         clip();
         const ThemeColours& colours = themeColours(theme_);
         const auto share = [](std::uint8_t channel) { return channel / 255.0; };
@@ -186,6 +212,12 @@ std::vector<SceneLabel> MapScene::labels() const
     std::vector<SceneLabel> labels;
     if (!layers_.labels || !layers_[Layer::Planes].visible)
         return labels;
+    if (map_->building) {
+        for (const ShownStop& stop : map_->building->stops) {
+            if (stop.isPlaced)
+                labels.push_back({stop.pose.translation, std::to_string(stop.number), correctedWayColour(theme_)});
+        }
+    }
     const Colouring colouring(*map_, layers_, theme_);
     const auto seen = [&](const Plane& plane, const Outline& outline) {
         if (camera_.parallel)
@@ -195,7 +227,8 @@ std::vector<SceneLabel> MapScene::labels() const
     };
     for (std::size_t i = 0; i < map_->planes.size(); ++i) {
         const ShownPlane& plane = map_->planes[i];
-        if (plane.hidden || !plane.outline || plane.outline->outline.parts.empty())
+        if (plane.hidden || !plane.outline || plane.outline->outline.parts.empty() ||
+            (map_->building && !selection_.planes.contains(plane.plane->id)))
             continue;
         std::array<char, 16> number{};
         std::snprintf(number.data(), number.size(), "P%02d", plane.plane->id);

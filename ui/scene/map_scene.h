@@ -21,6 +21,7 @@
 #include "ui/scene/plane_layer.h"
 #include "ui/scene/point_layer.h"
 #include "ui/scene/segment_layer.h"
+#include "ui/scene/trajectory_layer.h"
 
 namespace planewright {
 
@@ -43,7 +44,8 @@ struct SceneLabel {
     double seen = 0.0;  ///< how large the plane appears from the camera [sr], in parallel views [m²]
 };
 
-/// A scan as a picture: layers of actors in one renderer of VTK, which whoever shows it puts into a window.
+/// A scan, or a map of several stops, as a picture: layers of actors in one renderer of VTK, which whoever shows it
+/// puts into a window.
 class MapScene {
 public:
     MapScene();
@@ -85,7 +87,8 @@ public:
     void setPointBudget(std::size_t budget) { points_.setBudget(budget); }
     PointLayer& points() { return points_; }
 
-    /// Names of planes at their centres, those that appear largest first.
+    /// Names of planes at their centres, those that appear largest first; of a map of several stops those selected,
+    /// and the numbers of the stops.
     std::vector<SceneLabel> labels() const;
     std::vector<LegendEntry> legend(std::size_t most) const;
 
@@ -109,6 +112,7 @@ private:
     PointLayer points_;
     SegmentLayer segments_;
     MarksLayer marks_;
+    TrajectoryLayer trajectory_;
     PlaneLayer planes_;
 };
 

@@ -139,7 +139,7 @@ void MarksLayer::update(const ShownMap& map, const Eigen::AlignedBox3d& bounds, 
     piecesGeometry(map, pieces, colours.selection).give(pieces_);
 
     grid_->SetVisibility(style.visible);
-    sensor_->SetVisibility(style.visible);
+    sensor_->SetVisibility(style.visible && !map.building);
     fan_->SetVisibility(fan);
     grid_->GetProperty()->SetOpacity(style.opacity);
     grid_->GetProperty()->SetLineWidth(static_cast<float>(style.size * pixelRatio));

@@ -106,7 +106,7 @@ QRect paintLegend(QPainter& painter, QSize size, const MapScene& scene, int top,
     const QFontMetrics metrics(painter.font());
     const int line = metrics.height() + 2;
     const int most = (size.height() - kMargin - top - 2 * kPadding) / line - 1;
-    if (!scene.map().snapshot || most < kFewestLegendLines)
+    if ((!scene.map().snapshot && !scene.map().building) || most < kFewestLegendLines)
         return {};
     const std::vector<LegendEntry> entries = scene.legend(std::min(kMostLegendLines, static_cast<std::size_t>(most)));
     if (entries.empty())
