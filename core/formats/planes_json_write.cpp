@@ -26,7 +26,7 @@ void appendTriple(std::string& text, const Vector& v)
     text += ']';
 }
 
-void appendRing(std::string& text, const std::vector<Eigen::Vector3d>& ring)
+void appendJsonRing(std::string& text, const std::vector<Eigen::Vector3d>& ring)
 {
     text += '[';
     for (const Eigen::Vector3d& point : ring) {
@@ -46,7 +46,7 @@ void appendPolygon(std::string& text, const Outline& outline)
     char before = '[';
     const auto ring = [&](const std::vector<Eigen::Vector3d>& points) {
         text += before;
-        appendRing(text, points);
+        appendJsonRing(text, points);
         before = ',';
     };
     for (const Outline::Polygon& part : outline.parts) {

@@ -13,8 +13,8 @@ namespace planewright {
 
 namespace {
 
-constexpr std::int64_t kLatestTime = 9'000'000'000'000'000;  // [µs], as in CSV
-constexpr double kLargestAngle = 360.0;
+constexpr std::int64_t kLatestSliceTime = 9'000'000'000'000'000;  // [µs], as in CSV
+constexpr double kLargestSliceAngle = 360.0;
 
 /// Rows of one scan that may be unreadable until the rest is given up.
 constexpr int kMostFailures = 50;
@@ -78,7 +78,7 @@ std::optional<double> SliceRows::angle(SliceColumn column, const char* name, boo
     const SqlStatement::Type type = row_.type(column);
     const double value = row_.real(column);
     if ((type != SqlStatement::Type::Real && type != SqlStatement::Type::Integer) ||
-        !(std::abs(value) <= kLargestAngle))
+        !(std::abs(value) <= kLargestSliceAngle))
         tell(std::string{name} + " is no angle from -360 to 360 degrees");
     return degrees(value);
 }
@@ -119,7 +119,7 @@ std::optional<ScanSlice> SliceRows::read()
     else if (step_ && *step <= *step_)
         tell("step does not rise");
     const auto time = row_.integerIf(kTime);
-    if (!time || *time < -kLatestTime || *time > kLatestTime)
+    if (!time || *time < -kLatestSliceTime || *time > kLatestSliceTime)
         tell("time_us is no whole number within its limits");
     else if (time_ && *time < *time_)
         tell("time_us is earlier than that of the slice before");

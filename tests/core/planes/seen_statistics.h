@@ -16,7 +16,7 @@
 namespace planewright {
 
 /// The scanner of these tests: 721 beams from right to left, a quarter of a degree apart; beam 360 looks ahead.
-inline constexpr SensorModel kSensor{0.05, 0.1, 30.0};
+inline const SensorModel kSensor{0.05, 0.1, 30.0};
 inline constexpr int kBeams = 721;
 inline constexpr double kBearingStep = degrees(0.25);
 

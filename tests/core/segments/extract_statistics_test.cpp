@@ -16,7 +16,7 @@
 namespace planewright {
 namespace {
 
-constexpr SensorModel kStatisticsSensor{0.05, 0.1, 30.0};
+const SensorModel kStatisticsSensor{0.05, 0.1, 30.0};
 
 std::vector<SegmentStatistics> segmentsOf(const ScanSlice& slice, const Parameters& parameters = precise())
 {

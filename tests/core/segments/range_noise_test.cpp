@@ -14,7 +14,7 @@
 namespace planewright {
 namespace {
 
-constexpr SensorModel kNoiseSensor{0.05, 0.1, 60.0};
+const SensorModel kNoiseSensor{0.05, 0.1, 60.0};
 constexpr int kSlices = 40;
 
 /// A room of 5 m by 9 m as a slice sees it, with noise of these parts and every `missing`th beam without echo.

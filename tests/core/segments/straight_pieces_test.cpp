@@ -15,7 +15,7 @@
 namespace planewright {
 namespace {
 
-constexpr SensorModel kPiecesSensor{0.05, 0.1, 30.0};
+const SensorModel kPiecesSensor{0.05, 0.1, 30.0};
 constexpr int kShortest = 4;
 
 /// A slice straight ahead, 60° wide, of 241 beams.
