@@ -31,7 +31,7 @@ std::string mapTable(std::span<const MappedFloor> floors, std::span<const StopSc
         for (std::size_t i = 0; i < map.stops.size(); ++i) {
             const MapStop& stop = map.stops[i];
             const auto count = [&](MatchState state) {
-                return std::to_string(std::ranges::count(stop.matches, state, &PlaneMatch::state));
+                return std::to_string(std::ranges::count(stop.matches, state, &MapMatch::state));
             };
             const Eigen::Matrix<double, 6, 1> variances = stop.covariance.diagonal();
             const double shift = std::sqrt(variances.tail<3>().maxCoeff());

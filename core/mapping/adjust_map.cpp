@@ -276,7 +276,7 @@ Result<MapAdjustment> adjustStops(BuildingMap& map, const std::vector<std::size_
             if (!isAddedByTheOther && (to == stop || from == stop))
                 adjustment.addMotion(map, to);
         }
-        for (const PlaneMatch& match : map.stops[stop].matches) {
+        for (const MapMatch& match : map.stops[stop].matches) {
             if (!match.plane || adjustment.hasPlane(*match.plane))
                 continue;
             const auto& sightings = map.planes[*match.plane].sightings;

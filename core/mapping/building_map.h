@@ -23,7 +23,7 @@ enum class MatchState {
 };
 
 /// A stop's plane and the plane of the map that it is.
-struct PlaneMatch {
+struct MapMatch {
     MatchState state = MatchState::Open;
     std::optional<std::size_t> plane;  ///< in BuildingMap::planes; none while open
     std::vector<std::size_t> rivals;   ///< planes of the map that it may be; a single one: or else a new plane
@@ -58,7 +58,7 @@ struct MapStop {
     std::vector<Pose> loopRivals;        ///< poses that what older stops saw would allow: the loop was left open
     PoseStrength strength;            ///< how well the planes fixed it as it joined; what they do not fix is odometry's
     double odometryChiSquare = 0.0;   ///< of odometry against the planes as it joined, 6 at most expected
-    std::vector<PlaneMatch> matches;  ///< of each of its planes
+    std::vector<MapMatch> matches;  ///< of each of its planes
 
     bool isPlaced() const { return trust != StopTrust::Unplaced; }
 };

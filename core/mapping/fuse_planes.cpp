@@ -93,7 +93,7 @@ private:
     {
         bool mayFit = false;
         const auto plane = onlyFit(candidateOf(sighting), &mayFit);
-        PlaneMatch& match = map_.stops[sighting.stop].matches[sighting.plane];
+        MapMatch& match = map_.stops[sighting.stop].matches[sighting.plane];
         if (plane) {
             match = {MatchState::Matched, *plane, {}, chiSquareOf(map_, sighting, *plane)};
             addSighting(map_, *plane, sighting);
@@ -127,7 +127,7 @@ private:
         std::set<std::size_t> planes;
         for (const Sighting& sighting : candidate.sightings) {
             for (const std::size_t stop : around_(sighting.stop)) {
-                for (const PlaneMatch& match : map_.stops[stop].matches) {
+                for (const MapMatch& match : map_.stops[stop].matches) {
                     if (match.plane && match.plane != candidate.plane)
                         planes.insert(*match.plane);
                 }

@@ -146,7 +146,7 @@ Result<void> MapBuilder::match(std::size_t stop, std::size_t plane, std::optiona
         return {};
     }
     removeSighting(map_, {stop, plane});
-    PlaneMatch& match = map_.stops[stop].matches[plane];
+    MapMatch& match = map_.stops[stop].matches[plane];
     match = {mapPlane ? MatchState::Matched : MatchState::New, mapPlane, {}, 0.0, true};
     if (!mapPlane) {
         match.plane = addPlane(map_, {stop, plane});
@@ -223,7 +223,7 @@ void MapBuilder::addMatches(const StopMatch& found)
     std::size_t pair = 0;
     for (std::size_t i = 0; i < found.planes.size(); ++i) {
         const bool isMatched = found.planes[i].has_value();
-        PlaneMatch& match = map_.stops[number].matches[i];
+        MapMatch& match = map_.stops[number].matches[i];
         if (isMatched)
             match.chiSquare = found.registration.pairChiSquares[pair++];
         for (const std::size_t rival : found.rivals[i])
@@ -312,7 +312,7 @@ void MapBuilder::mergeWithOlder(std::size_t number, const StopMatch& older)
         std::size_t plane = *older.planes[i];
         while (mergedInto.contains(plane))
             plane = mergedInto[plane];
-        PlaneMatch& match = map_.stops[number].matches[i];
+        MapMatch& match = map_.stops[number].matches[i];
         if (!match.plane) {
             match = {MatchState::Matched, plane, {}, 0.0};
             addSighting(map_, plane, {number, i});
@@ -338,7 +338,7 @@ JoinReport MapBuilder::reportOf(std::size_t number) const
     JoinReport report;
     report.stop = number;
     report.trust = stop.trust;
-    for (const PlaneMatch& match : stop.matches) {
+    for (const MapMatch& match : stop.matches) {
         report.matched += match.state == MatchState::Matched ? 1 : 0;
         report.fresh += match.state == MatchState::New ? 1 : 0;
         report.open += match.state == MatchState::Open ? 1 : 0;

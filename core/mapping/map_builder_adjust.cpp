@@ -89,9 +89,9 @@ void MapBuilder::adjustNear(std::size_t number, std::span<const std::size_t> nea
     std::vector<std::pair<int, std::size_t>> shared;
     for (const std::size_t stop : near) {
         int count = 0;
-        for (const PlaneMatch& match : map_.stops[stop].matches) {
+        for (const MapMatch& match : map_.stops[stop].matches) {
             count += match.plane && std::ranges::any_of(map_.stops[number].matches,
-                                                        [&](const PlaneMatch& own) { return own.plane == match.plane; })
+                                                        [&](const MapMatch& own) { return own.plane == match.plane; })
                          ? 1
                          : 0;
         }

@@ -160,7 +160,7 @@ void MapEditsTest::aForcedMatchHoldsAndTellsHowFarItIs()
 
     const MappedFloor edited = mapOf(stops, {match(2, 1, std::nullopt), match(2, 1, SeenPlane{1, 1})});
 
-    const PlaneMatch& matched = edited.builder.map().stops[1].matches[1];
+    const MapMatch& matched = edited.builder.map().stops[1].matches[1];
     QVERIFY(edited.problems.empty());
     QVERIFY(matched.state == MatchState::Matched);
     QVERIFY(matched.plane == edited.builder.map().stops[0].matches[1].plane);
