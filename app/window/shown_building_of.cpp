@@ -27,7 +27,7 @@ std::vector<PlaneId> planeIds(const BuildingMap& map, PlaneId& next)
 
 int countOf(const MapStop& stop, MatchState state)
 {
-    return static_cast<int>(std::ranges::count(stop.matches, state, &PlaneMatch::state));
+    return static_cast<int>(std::ranges::count(stop.matches, state, &MapMatch::state));
 }
 
 ShownStop shownStop(const MapStop& stop, const StopScan& scan, const MappedFloor& floor)
@@ -71,7 +71,7 @@ void addMatches(const MapStop& stop, const StopScan& scan, const std::vector<Pla
     if (!stop.isPlaced())
         return;
     for (std::size_t i = 0; i < stop.matches.size(); ++i) {
-        const PlaneMatch& match = stop.matches[i];
+        const MapMatch& match = stop.matches[i];
         const PlaneResult& seen = scan.planes[i];
         ShownMatch& shown = building.matches.emplace_back();
         shown.stop = stop.stop->id;

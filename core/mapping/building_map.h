@@ -56,9 +56,9 @@ struct MapStop {
     std::optional<StopMotion> odometry;  ///< as far as it is a factor of the map
     std::vector<Pose> alternatives;      ///< other poses that its planes would allow
     std::vector<Pose> loopRivals;        ///< poses that what older stops saw would allow: the loop was left open
-    PoseStrength strength;            ///< how well the planes fixed it as it joined; what they do not fix is odometry's
-    double odometryChiSquare = 0.0;   ///< of odometry against the planes as it joined, 6 at most expected
-    std::vector<MapMatch> matches;  ///< of each of its planes
+    PoseStrength strength;           ///< how well the planes fixed it as it joined; what they do not fix is odometry's
+    double odometryChiSquare = 0.0;  ///< of odometry against the planes as it joined, 6 at most expected
+    std::vector<MapMatch> matches;   ///< of each of its planes
 
     bool isPlaced() const { return trust != StopTrust::Unplaced; }
 };

@@ -192,7 +192,7 @@ void MapBuilderTest::aMatchMadeByHandHolds()
     MapBuilder builder = mapOf(stops);
     const auto& matches = builder.map().stops[1].matches;
     const auto matched =
-        std::ranges::find_if(matches, [](const PlaneMatch& match) { return match.state == MatchState::Matched; });
+        std::ranges::find_if(matches, [](const MapMatch& match) { return match.state == MatchState::Matched; });
     QVERIFY(matched != matches.end());
     const auto plane = static_cast<std::size_t>(matched - matches.begin());
     const std::size_t was = *matched->plane;
