@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <vector>
 
 namespace planewright {
 
@@ -24,38 +23,35 @@ constexpr double kKnownAngle = 0.01;
 /// No slice counts as farther off than so many standard deviations.
 constexpr double kFarthestSigmas = 4.0;
 
-/// What the segments from one on tell, those of planes that tell something: nothing for the others.
-std::vector<PitchEvidence> evidencesOf(SegmentNumber first, SegmentNumber end, TrackMap& map,
-                                       const NoiseParameters& noise, double floor)
+}  // namespace
+
+void PitchNoise::collect(SegmentNumber first, SegmentNumber end, TrackMap& map, const NoiseParameters& noise,
+                         double floor)
 {
-    std::vector<PitchEvidence> all(static_cast<std::size_t>(end - first));
-    std::vector<PitchEvidence> evidences;
+    evidences_.assign(static_cast<std::size_t>(end - first), {});
     for (const PlaneTrack& plane : map.planes()) {
         if (plane.slices < kLeastSlices || plane.estimate.normalVariance() > kKnownAngle * kKnownAngle)
             continue;
         const auto from = std::lower_bound(plane.members.begin(), plane.members.end(), first);
         const std::span numbers(from, std::lower_bound(from, plane.members.end(), end));
-        evidences.resize(numbers.size());
-        plane.estimate.pitchEvidences(map.together(numbers), noise, floor, evidences);
+        ofPlane_.resize(numbers.size());
+        plane.estimate.pitchEvidences(map.together(numbers), noise, floor, ofPlane_);
         for (std::size_t i = 0; i < numbers.size(); ++i)
-            all[static_cast<std::size_t>(numbers[i] - first)] = evidences[i];
+            evidences_[static_cast<std::size_t>(numbers[i] - first)] = ofPlane_[i];
     }
-    return all;
 }
-
-}  // namespace
 
 void PitchNoise::add(TrackMap& map, int end, const NoiseParameters& noise, double floor)
 {
     if (next_ >= end)
         return;
     const SegmentNumber first = map.slice(next_).first;
-    const auto evidences = evidencesOf(first, map.slice(end - 1).end, map, noise, floor);
+    collect(first, map.slice(end - 1).end, map, noise, floor);
     for (; next_ < end; ++next_) {
         const TrackedSlice& slice = map.slice(next_);
         PitchEvidence evidence;
         for (SegmentNumber number = slice.first; number < slice.end; ++number) {
-            const PitchEvidence& one = evidences[static_cast<std::size_t>(number - first)];
+            const PitchEvidence& one = evidences_[static_cast<std::size_t>(number - first)];
             evidence.information += one.information;
             evidence.gradient += one.gradient;
         }

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <vector>
+
 #include "core/params/parameters.h"
 #include "core/planes/track_map.h"
 
@@ -21,6 +23,14 @@ public:
     double estimate(double told) const;
 
 private:
+    /// Fills evidences_ with what the segments from one on tell, those of planes that tell something; nothing for the
+    /// others.
+    void collect(SegmentNumber first, SegmentNumber end, TrackMap& map, const NoiseParameters& noise, double floor);
+
+    // Working storage, kept from call to call.
+    std::vector<PitchEvidence> evidences_;
+    std::vector<PitchEvidence> ofPlane_;
+
     int next_ = 0;
     int slices_ = 0;  // that told something
     bool lastTells_ = false;

@@ -19,8 +19,6 @@ constexpr double kContent = 2.0;
 constexpr double kStraightChi = 2.0;
 /// However coarse the scan, a plane has so many points.
 constexpr double kFewestPoints = 12.0;
-/// Planes that are nearer to where they were linearised [rad] are good enough to tell which segments fit.
-constexpr double kSettledAngle = 1e-3;
 /// Planes of more segments are not thinned out one by one.
 constexpr std::size_t kThinned = 60;
 
@@ -251,29 +249,6 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
     }
     for (const PlaneId id : unfounded)
         map.dissolve(id);
-}
-
-void refineTracks(TrackMap& map, const Parameters& parameters)
-{
-    const int step = map.slice(map.slices() - 1).step;
-    const double gate = parameters.likelihood.finalGate;
-    std::vector<double> chis;
-    std::vector<SegmentNumber> fitting;
-    for (PlaneTrack& plane : map.planes()) {
-        if (plane.slicesUnsolved > 0 || plane.estimate.angleFromLinearisation() > kSettledAngle)
-            map.rebuild(plane, parameters);
-        chis.resize(plane.members.size());
-        const SegmentBatch& members = map.together(plane.members);
-        plane.estimate.afresh().joinChis(members, parameters.noise, parameters.flatnessFloor(), gate, chis);
-        fitting.clear();
-        for (std::size_t i = 0; i < chis.size(); ++i) {
-            if (chis[i] < gate)
-                fitting.push_back(plane.members[i]);
-        }
-        const bool all = fitting.size() == plane.members.size();
-        map.rebuild(plane, all ? members : map.together(fitting), parameters.noise, 0.0);
-        map.touch(plane, step);
-    }
 }
 
 }  // namespace planewright

@@ -61,9 +61,6 @@ private slots:
     void thinningEndsWhereTheRestIsExplained();
     void threeSegmentsAndMoreThanSixtyAreNotThinned_data();
     void threeSegmentsAndMoreThanSixtyAreNotThinned();
-    void lastFitIsWithoutSegmentsBeyondTheGate();
-    void lastFitHasNoFloor();
-    void lastFitIsPublished();
 };
 
 void SettleTracksTest::aSegmentOfTheNeighbourGoesOver()
@@ -247,52 +244,6 @@ void SettleTracksTest::threeSegmentsAndMoreThanSixtyAreNotThinned()
     wall.thin();
 
     QCOMPARE(wall.plane().members.size() < static_cast<std::size_t>(slices), thinned);
-}
-
-void SettleTracksTest::lastFitIsWithoutSegmentsBeyondTheGate()
-{
-    OneWall wall(20, kWall, degrees(80.0));
-    disturb(wall.segment(9), 0.03, 0.0);
-    wall.make(kWall);
-    QVERIFY(apart(wall.plane().estimate, kWall) > 1e-4);
-
-    refineTracks(wall.scan.map, wall.scan.parameters);
-
-    QCOMPARE(wall.plane().fitted, 19);
-    QCOMPARE(wall.plane().members.size(), std::size_t{20});
-    QVERIFY(disagreement(wall.scan.map).empty());
-    QVERIFY(apart(wall.plane().estimate, kWall) < 1e-6);
-}
-
-void SettleTracksTest::lastFitHasNoFloor()
-{
-    OneWall wall(10);
-    wall.scan.parameters.noise.systematic = 0.01;
-    wall.make(kWall);
-    const PlaneEstimate start(kWall.normal, kWall.distance);
-    const Numbers members = wall.plane().members;
-    QVERIFY(nearlyEqual(wall.plane().estimate,
-                        solvedFrom(start, members, wall.scan.map, wall.scan.parameters.noise, 0.01), 1e-9));
-
-    refineTracks(wall.scan.map, wall.scan.parameters);
-
-    QVERIFY(nearlyEqual(wall.plane().estimate,
-                        solvedFrom(start, members, wall.scan.map, wall.scan.parameters.noise, 0.0), 1e-9));
-}
-
-void SettleTracksTest::lastFitIsPublished()
-{
-    OneWall wall(20, kWall, degrees(80.0));
-    disturb(wall.segment(9), 0.03, 0.0);
-    wall.make(kWall);
-    const auto before = publishedPlane(wall.plane(), wall.scan.map);
-
-    refineTracks(wall.scan.map, wall.scan.parameters);
-
-    const auto after = publishedPlane(wall.plane(), wall.scan.map);
-    QVERIFY(after->normal == wall.plane().estimate.normal());
-    QVERIFY(after->normal != before->normal);
-    QVERIFY(after->revision > before->revision);
 }
 
 }  // namespace planewright
