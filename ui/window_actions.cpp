@@ -86,6 +86,8 @@ constexpr std::array kRows{
 
     Row{"&Scan", "actConnect", "&Connect", "Ctrl+K", "Connect the laser and the tilt unit that are chosen"},
     Row{"&Scan", "actStart", "&Start", "F5", "Start scanning"},
+    Row{"&Scan", "actNextStop", "&Next stop", "Shift+F5",
+        "Take one more scan into the same file, from where the scanner is now"},
     Row{"&Scan", "actPause", "&Pause or continue", "F6", "Hold the scan, or go on"},
     Row{"&Scan", "actStep", "S&ingle step", "",
         "Take one more slice while the scan is held; . does so at its newest step"},
@@ -101,11 +103,11 @@ constexpr std::array kRows{
     Row{"&Scan", "", "", "", "", kSeparator},
     Row{"&Scan", "actRerun", "Re-r&un extraction", "Ctrl+R", "Extract the whole scan with the present parameters"},
     Row{"&Scan", "", "", "", "", kSeparator},
-    Row{"&Scan", "actMapMode", "&Map of all stops", "Ctrl+Shift+M",
+    Row{"&Scan", "actMapMode", "Map of &all stops", "Ctrl+Shift+M",
         "Make one map of all scans of the file and show it, or go back to the scan", kCheckable},
-    Row{"&Scan", "actExportMapPlanes", "Export map p&lanes…", "", "Planes of the map as CSV, JSON, PLY, OBJ or DXF"},
+    Row{"&Scan", "actExportMapPlanes", "Export map plan&es…", "", "Planes of the map as CSV, JSON, PLY, OBJ or DXF"},
     Row{"&Scan", "actExportMapPoses", "Export map p&oses…", "", "Corrected poses of the stops in the TUM format"},
-    Row{"&Scan", "actExportMapPlan", "Export map pla&n…", "", "Plan of a floor as DXF or SVG"},
+    Row{"&Scan", "actExportMapPlan", "E&xport map plan…", "", "Plan of a floor as DXF or SVG"},
 
     Row{"&Timeline", "actPlay", "&Play", "Space", "Play the steps of the scan again, or pause", kCheckable},
     Row{"&Timeline", "actStepBack", "Step &back", ",; Left", "Look at the step before"},

@@ -75,6 +75,20 @@ Result<void> ScanSession::start()
     return {};
 }
 
+QString ScanSession::nextStopRefusal() const
+{
+    const QString refused = refusal(SessionRequest::Start);
+    return refused.isEmpty() ? QString::fromStdString(parts_->noNextStopBecause()) : refused;
+}
+
+Result<void> ScanSession::startNextStop()
+{
+    if (const QString refused = nextStopRefusal(); !refused.isEmpty())
+        return fail(ErrorCode::Usage, refused.toStdString());
+    parts_->isNextStop = true;
+    return start();
+}
+
 Result<void> ScanSession::goHome()
 {
     if (Result<void> allowed = parts_->request(SessionRequest::GoHome); !allowed)

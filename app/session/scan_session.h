@@ -48,6 +48,10 @@ public:
     Result<void> cancel();
     /// Takes a scan with the scanner that is connected, or plays the recording again.
     Result<void> start();
+    /// The same, as one scan more in the file that the last one was recorded into: the next stop of a map.
+    Result<void> startNextStop();
+    /// Why startNextStop() would be refused now; empty where it would not.
+    QString nextStopRefusal() const;
     /// Brings the head of the scanner that is connected to level, slowly, where it is held: Homing, and back. Refused
     /// where nothing moves.
     Result<void> goHome();

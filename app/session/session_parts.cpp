@@ -4,7 +4,9 @@
 #include "app/session/session_parts.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 #include <QDateTime>
@@ -149,14 +151,33 @@ void SessionParts::refuseOpened(const Error& error)
 /// A recorder for a scan that is taken now, where recording is on.
 std::unique_ptr<SliceRecorder> SessionParts::recorder()
 {
-    recordedPath_.clear();
+    const bool appends = std::exchange(isNextStop, false);
     projectTried_ = false;
+    scansBefore_ = 0;
+    if (appends) {
+        if (const auto file = PwscanProject::open(recordedPath_)) {
+            const auto scans = file->scans();
+            scansBefore_ = scans ? scans->size() : 0;
+        }
+        return std::make_unique<PwscanRecorder>(recordedPath_, PwscanRecorder::Target::Append, opened.source->name());
+    }
+    recordedPath_.clear();
     if (!opened.source->isLive() || options.recordFolder.empty())
         return nullptr;
     recordedPath_ = newRecordingPath(options.recordFolder, QDateTime::currentDateTime());
     if (options.makeRecorder)
         return options.makeRecorder(recordedPath_);
     return std::make_unique<PwscanRecorder>(recordedPath_, PwscanRecorder::Target::NewFile, opened.source->name());
+}
+
+std::string SessionParts::noNextStopBecause() const
+{
+    if (!opened.source || !opened.source->isLive())
+        return "A recording is played again and not added to. Connect a scanner for the next stop.";
+    std::error_code error;
+    if (recordedPath_.empty() || options.makeRecorder || !std::filesystem::exists(recordedPath_, error))
+        return "The scan before is not recorded. Turn recording on and take the first stop.";
+    return {};
 }
 
 void SessionParts::startScan()
@@ -280,7 +301,7 @@ void SessionParts::onEnded()
     if (rerunHistory_)
         takeRerun();
     if (isEmpty && !recordedPath_.empty())
-        opened.project.reset();  // its file is gone
+        opened.project.reset();  // nothing of it is left
     else
         openRecorded();
     showMap();
@@ -297,8 +318,13 @@ void SessionParts::openRecorded()
         log(LogLevel::Warning, project.error().message);
         return;
     }
+    const auto scans = project->scans();
+    if (!scans || scans->size() <= scansBefore_) {
+        projectTried_ = false;  // it is not there yet
+        return;
+    }
     opened.project = std::move(*project);
-    opened.scan = 1;
+    opened.scan = scans->back().id;
     emit session.projectBegun();
 }
 

@@ -40,6 +40,8 @@ struct SessionParts {
     // What the outside is told.
     void tellState();
     void showMap();
+    /// Why the scan before has no file that one more could be recorded into; empty where it has.
+    std::string noNextStopBecause() const;
     void log(LogLevel level, const std::string& text);
     void logRecords(const std::vector<FaultRecord>& records);
     SessionStatus status() const;
@@ -59,6 +61,8 @@ struct SessionParts {
     /// What somebody has gone back to: a step, or a place in the history.
     std::variant<std::monostate, int, std::size_t> shownStep;
     std::shared_ptr<const SessionMap> map;
+
+    bool isNextStop = false;  ///< the scan that starts is one more in the file of the one before
 
     std::unique_ptr<IdleRun> idle;     ///< while a scanner with devices is there and no scan runs
     std::unique_ptr<SessionRun> run;   ///< while slices are taken or worked in
@@ -81,8 +85,9 @@ private:
 
     std::optional<ScanHistory> rerunHistory_;  ///< of a rerun, until it is complete
     bool rerunCancelled_ = false;
-    bool projectTried_ = false;  ///< the file that is recorded into has been opened for edits, or cannot be
-    std::string recordedPath_;   ///< of the scan that is taken; empty: it is not recorded
+    std::size_t scansBefore_ = 0;  ///< of the file that is recorded into
+    bool projectTried_ = false;    ///< the file that is recorded into has been opened for edits, or cannot be
+    std::string recordedPath_;     ///< of the scan that is taken; empty: it is not recorded
     SessionState told_ = SessionState::Empty;
     bool toldStopped_ = false;
     PipelineStatus lastStatus_;  ///< of the run before

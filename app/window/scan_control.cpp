@@ -45,6 +45,7 @@ void ScanControl::connectActions()
         connect(actions[QLatin1String(name)], &QAction::triggered, this, call);
     };
     on("actStart", [this] { start(); });
+    on("actNextStop", [this] { startNextStop(); });
     on("actPause", [this, &session] { act(session.pauseOrContinue()); });
     on("actStep", [this, &session] { act(session.step()); });
     on("actFinish", [this, &session] { act(session.finish()); });
@@ -222,7 +223,33 @@ void ScanControl::start()
     act(parts_.session.start());
 }
 
-/// Where the next scan is recorded; nowhere, with a word about it, where too little space is left.
+void ScanControl::startNextStop()
+{
+    mayMove();
+    const QFileInfo file(QString::fromStdString(parts_.session.status().recording));
+    if (hasRoomIn(file.absolutePath()))
+        act(parts_.session.startNextStop());
+}
+
+/// Whether a scan may be recorded into a folder, with a word about it where too little space is left.
+bool ScanControl::hasRoomIn(const QString& folder)
+{
+    const double floor = parts_.preferences.freeSpaceFloor;
+    const QStorageInfo disk(folder);
+    const double free = static_cast<double>(disk.bytesAvailable()) / kGigabyte;
+    if (!disk.isValid() || free >= floor)
+        return true;
+    const QString text = tr("This scan is not recorded: %1 has %2 GB left, and the preferences ask for %3 GB. Make "
+                            "room, or choose another folder there.")
+                             .arg(folder)
+                             .arg(free, 0, 'f', 2)
+                             .arg(floor, 0, 'f', 1);
+    parts_.log(LogSeverity::Warning, tr("recorder"), text);
+    parts_.window->banner().showMessage(Banner::Kind::Problem, text);
+    return false;
+}
+
+/// Where the next scan is recorded; nowhere where too little space is left.
 void ScanControl::prepareRecording()
 {
     parts_.session.setRecordFolder({});
@@ -232,20 +259,8 @@ void ScanControl::prepareRecording()
     if (folder.isEmpty())
         folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Planewright";
     QDir().mkpath(folder);
-    const double floor = parts_.preferences.freeSpaceFloor;
-    const QStorageInfo disk(folder);
-    const double free = static_cast<double>(disk.bytesAvailable()) / kGigabyte;
-    if (disk.isValid() && free < floor) {
-        const QString text = tr("This scan is not recorded: %1 has %2 GB left, and the preferences ask for %3 GB. Make "
-                                "room, or choose another folder there.")
-                                 .arg(folder)
-                                 .arg(free, 0, 'f', 2)
-                                 .arg(floor, 0, 'f', 1);
-        parts_.log(LogSeverity::Warning, tr("recorder"), text);
-        parts_.window->banner().showMessage(Banner::Kind::Problem, text);
-        return;
-    }
-    parts_.session.setRecordFolder(folder.toStdString());
+    if (hasRoomIn(folder))
+        parts_.session.setRecordFolder(folder.toStdString());
 }
 
 void ScanControl::addRecent(const QString& file)
@@ -300,6 +315,7 @@ void ScanControl::refreshActions()
     WindowActions& actions = parts_.window->actions();
     for (const Row& row : kRows)
         actions[QLatin1String(row.action)]->setEnabled(parts_.session.refusal(row.request).isEmpty());
+    actions[QStringLiteral("actNextStop")]->setEnabled(parts_.session.nextStopRefusal().isEmpty());
     // It then says why nothing moves.
     if (parts_.session.isMotionStopped())
         actions[QStringLiteral("actStart")]->setEnabled(true);

@@ -38,6 +38,8 @@ public:
 private:
     void openWith(const SimulatedScanner& simulation, const QString& fileOrAddress, bool starts);
     void start();
+    void startNextStop();
+    bool hasRoomIn(const QString& folder);
     void prepareRecording();
     void connectActions();
     void connectSession();
