@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "core/planes/track_stages.h"
@@ -30,28 +32,31 @@ void keepAgreeing(std::vector<SegmentNumber>& numbers, const PlaneEstimate& plan
                   const Parameters& parameters)
 {
     const SliceFrame& frame = map.slice(map.segment(numbers.front()).slice).frame;
-    const double floor = parameters.flatnessFloor();
+    const auto chiOf = [&](std::span<const SegmentStatistics* const> segments) {
+        return chiTogether(plane, frame, segments, parameters.noise, parameters.flatnessFloor());
+    };
     std::vector<const SegmentStatistics*> segments;
-    for (const SegmentNumber number : numbers)
+    std::vector<double> alone;
+    for (const SegmentNumber number : numbers) {
         segments.push_back(&map.segment(number).statistics);
-    double chi = chiTogether(plane, frame, segments, parameters.noise, floor);
-    while (segments.size() > 1 && chi >= parameters.likelihood.finalGate) {
-        std::size_t worst = 0;
-        double least = chi;
-        for (std::size_t i = 0; i < segments.size(); ++i) {
+        alone.push_back(chiOf(std::span(segments).last(1)));
+    }
+    while (segments.size() > 1 &&
+           chiOf(segments) >= parameters.likelihood.finalGate + std::accumulate(alone.begin(), alone.end(), 0.0)) {
+        std::ptrdiff_t worst = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::ptrdiff_t i = 0; i < std::ssize(segments); ++i) {
             std::vector<const SegmentStatistics*> others = segments;
-            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-            const double left = chiTogether(plane, frame, others, parameters.noise, floor);
+            others.erase(others.begin() + i);
+            const double left = chiOf(others);
             if (left < least) {
                 least = left;
                 worst = i;
             }
         }
-        if (chi - least < parameters.likelihood.finalGate)
-            return;
-        chi = least;
-        segments.erase(segments.begin() + static_cast<std::ptrdiff_t>(worst));
-        numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(worst));
+        segments.erase(segments.begin() + worst);
+        alone.erase(alone.begin() + worst);
+        numbers.erase(numbers.begin() + worst);
     }
 }
 
@@ -63,16 +68,26 @@ std::vector<SegmentNumber> fittingMembers(const PlaneTrack& plane, const Segment
     const PlaneEstimate estimate = plane.estimate.afresh();
     std::vector<double> chis(plane.members.size());
     estimate.joinChis(members, parameters.noise, parameters.flatnessFloor(), gate, chis);
+    // No pitch error makes segments disagree by more than they do without any, which is quickly known.
+    std::vector<double> mostChis(plane.members.size());
+    if (plane.members.size() > static_cast<std::size_t>(plane.slices)) {
+        NoiseParameters noise = parameters.noise;
+        noise.pitch = 0.0;
+        estimate.residualChis(members, noise, parameters.flatnessFloor(), mostChis);
+    }
     std::vector<SegmentNumber> fitting;
     std::vector<SegmentNumber> ofSlice;
     for (std::size_t i = 0; i < chis.size();) {
         const int place = map.segment(plane.members[i]).slice;
+        double mostChi = 0.0;
         ofSlice.clear();
         for (; i < chis.size() && map.segment(plane.members[i]).slice == place; ++i) {
-            if (chis[i] < gate)
-                ofSlice.push_back(plane.members[i]);
+            if (chis[i] >= gate)
+                continue;
+            ofSlice.push_back(plane.members[i]);
+            mostChi += mostChis[i];
         }
-        if (ofSlice.size() > 1)
+        if (ofSlice.size() > 1 && mostChi >= gate)
             keepAgreeing(ofSlice, estimate, map, parameters);
         fitting.insert(fitting.end(), ofSlice.begin(), ofSlice.end());
     }
