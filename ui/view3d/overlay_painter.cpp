@@ -111,9 +111,10 @@ QRect paintLegend(QPainter& painter, QSize size, const MapScene& scene, int top,
     const std::vector<LegendEntry> entries = scene.legend(std::min(kMostLegendLines, static_cast<std::size_t>(most)));
     if (entries.empty())
         return {};
-    const QString title =
-        QObject::tr("Colour by %1")
-            .arg(QString::fromUtf8(kColourByNames[static_cast<std::size_t>(scene.layers().colourBy)].data()));
+    const LayerSettings& layers = scene.layers();
+    const std::string_view by = scene.map().building ? kMapColourByNames[static_cast<std::size_t>(layers.mapColourBy)]
+                                                     : kColourByNames[static_cast<std::size_t>(layers.colourBy)];
+    const QString title = QObject::tr("Colour by %1").arg(QString::fromUtf8(by.data(), std::ssize(by)));
     int width = metrics.horizontalAdvance(title);
     for (const LegendEntry& entry : entries)
         width = std::max(width, metrics.horizontalAdvance(QString::fromStdString(entry.text)) + 20);
