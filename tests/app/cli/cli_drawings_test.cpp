@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -16,8 +17,11 @@ private slots:
     void planIsCutWhereItIsAskedFor();
     void planWithoutAFloorIsCutAtThePitchAxis();
     void aReportIsOnePageOfTheScan();
+    void drawingsPassTheAuditOfEzdxf();
 
 private:
+    /// What ezdxf says of a drawing.
+    QByteArray auditOf(const QString& name) const;
     ProgramRun extract(const QStringList& options) const
     {
         return runProgram(QStringList{"extract", "scan.csv"} + options, folder_.path());
@@ -85,6 +89,35 @@ void CliDrawingsTest::aReportIsOnePageOfTheScan()
     QCOMPARE(extract({"--report", "again.html"}).code, 0);
     QCOMPARE(bytesOf(path("again.html")), page);
     QCOMPARE(extract({"--report", "x.pdf"}).code, 2);
+}
+
+QByteArray CliDrawingsTest::auditOf(const QString& name) const
+{
+    QProcess audit;
+    audit.setWorkingDirectory(folder_.path());
+    audit.start(QStringLiteral("ezdxf"), {QStringLiteral("audit"), name});
+    return audit.waitForFinished(60'000) ? audit.readAll() : "ezdxf does not run: " + audit.errorString().toUtf8();
+}
+
+void CliDrawingsTest::drawingsPassTheAuditOfEzdxf()
+{
+    QCOMPARE(extract({"--planes", "scan.dxf", "--floor-plan", "scan-plan.dxf"}).code, 0);
+    QCOMPARE(runProgram({"simulate", "building", "--floors", "2", "--stops", "3", "-o", "floors.pwscan",
+                         "--truth-poses", "poses.txt"},
+                        folder_.path())
+                 .code,
+             0);
+    writeBytes(path("floors.txt"), "0 0 0 0 0 0 0 1\n1 0 0 3.2 0 0 0 1\n");
+    const ProgramRun map = runProgram(
+        {"map", "floors.pwscan", "--floor-poses", "floors.txt", "--planes", "map.dxf", "--floor-plan", "map-plan.dxf"},
+        folder_.path());
+    QVERIFY2(map.code == 0, map.err);
+
+    for (const char* drawing : {"scan.dxf", "scan-plan.dxf", "map.dxf", "map-plan-floor-0.dxf", "map-plan-floor-1.dxf"})
+        QVERIFY2(auditOf(drawing).contains("No errors found."), drawing + (": " + auditOf(drawing)));
+    // What is no drawing is told.
+    writeBytes(path("broken.dxf"), bytesOf(path("scan-plan.dxf")).replace("  0\nLINE\n", "  0\nLYNE\n"));
+    QVERIFY(!auditOf("broken.dxf").contains("No errors found."));
 }
 
 PLANEWRIGHT_TEST(CliDrawingsTest)
