@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -79,15 +80,24 @@ Result<void> takeOdometry(const MapOptions& options, std::vector<StopScan>& stop
     return {};
 }
 
-/// Where each floor's frame is in that of the building, by its number.
-Result<std::map<int, Pose>> floorFrames(const MapOptions& options, const std::vector<FloorScans>& floors)
+/// Where each floor's frame is in that of the building, by its number. Floors that were placed by hand are moved there
+/// when they have a map; the first of the others is at the building's own frame.
+Result<std::map<int, Pose>> floorFrames(const MapOptions& options, const std::vector<FloorScans>& floors,
+                                        const std::map<int, Pose>& byHand)
 {
     std::map<int, Pose> frames;
     if (options.floorPoses.empty()) {
-        if (floors.size() > 1)
+        std::size_t left = 0;
+        for (const FloorScans& floor : floors) {
+            const bool isByHand = std::ranges::any_of(
+                floor.stops, [&](std::size_t stop) { return byHand.contains(static_cast<int>(stop)); });
+            left += isByHand ? 0 : 1;
+            frames[floor.floor] = Pose{};
+        }
+        if (left > 1)
             return fail(ErrorCode::Usage, "the stops are on " + std::to_string(floors.size()) +
                                               " floors; say where each is with --floor-poses");
-        return std::map<int, Pose>{{floors.front().floor, Pose{}}};
+        return frames;
     }
     const auto poses =
         readFile(options.floorPoses, [&](std::istream& in) { return readTrajectoryTum(in, options.floorPoses); });
@@ -136,14 +146,17 @@ Result<ExitCode> mapStops(MapOptions options)
         return tl::unexpected{taken.error()};
     input->edits = *edits;
     const std::vector<FloorScans> floors = floorsOf(input->stops);
-    const auto frames = floorFrames(options, floors);
+    const std::map<int, Pose> byHand =
+        options.floorPoses.empty() ? floorsByHand(input->stops, *edits) : std::map<int, Pose>{};
+    const auto frames = floorFrames(options, floors, byHand);
     if (!frames)
         return tl::unexpected{frames.error()};
     Progress progress("mapping, stop");
     const auto show = [&progress](std::size_t done, std::size_t all) { progress.show(done, all); };
-    const auto mapped = mapFloors(input->stops, floors, *frames, {*mapping, *edits, show, {}});
+    auto mapped = mapFloors(input->stops, floors, *frames, {*mapping, *edits, show, {}});
     if (!mapped)
         return tl::unexpected{mapped.error()};
+    placeFloors(*mapped, byHand);
     for (const std::string& warning : mapWarnings(*mapped, input->stops))
         printWarning(warning);
     const auto done = outputs.empty() ? print(mapTable(*mapped, input->stops)) : outputs.write(*input, *mapped);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -21,10 +22,12 @@ namespace planewright {
 
 namespace {
 
-/// The matches by hand of a stop in a project whose scans are the stops in their order, from 1.
-std::vector<StoredMapEdit> matchesOf(const MapInput& all, const StopScan& stop)
+/// What is kept as edits of a stop, in a project whose scans are the stops in their order, from 1: its matches by hand,
+/// and where its floor was placed by it.
+std::vector<StoredMapEdit> keptEdits(const MapInput& all, std::size_t number)
 {
-    std::vector<StoredMapEdit> matches;
+    const StopScan& stop = all.stops[number];
+    std::vector<StoredMapEdit> kept;
     for (const StopEdit& each : all.edits) {
         MapEdit edit = each.edit;
         if (edit.kind != MapEdit::Kind::Match || each.path != stop.path || edit.scan != stop.scan)
@@ -36,9 +39,17 @@ std::vector<StoredMapEdit> matchesOf(const MapInput& all, const StopScan& stop)
                 continue;
             edit.as->scan = static_cast<int>(other - all.stops.begin()) + 1;
         }
-        matches.push_back({0, edit, false});
+        kept.push_back({0, edit, false});
     }
-    return matches;
+    const std::map<int, Pose> floors = floorsByHand(all.stops, all.edits);
+    if (const auto place = floors.find(static_cast<int>(number)); place != floors.end()) {
+        MapEdit floor;
+        floor.kind = MapEdit::Kind::Floor;
+        floor.scan = stop.scan;
+        floor.place = place->second;
+        kept.push_back({0, floor, false});
+    }
+    return kept;
 }
 
 /// A scan as it was read, as one of the stops of a project: order and odometry are those of the map.
@@ -58,7 +69,7 @@ Result<WrittenScan> stopScan(const MapInput& all, std::size_t number)
     }
     scan.notes.scan.floor = stop.floor;
     scan.notes.scan.pose = stop.odometry;
-    scan.notes.mapEdits = matchesOf(all, stop);
+    scan.notes.mapEdits = keptEdits(all, number);
     return scan;
 }
 

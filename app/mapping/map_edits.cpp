@@ -85,7 +85,7 @@ std::vector<StopInput> withEdits(std::vector<StopInput> inputs, std::span<const 
     };
     for (const StopEdit& each : edits) {
         const MapEdit& edit = each.edit;
-        if (edit.kind == MapEdit::Kind::Match)
+        if (edit.kind == MapEdit::Kind::Match || edit.kind == MapEdit::Kind::Floor)
             continue;
         const std::size_t place = placeOf(inputs, each.path, edit.scan);
         if (place == inputs.size()) {
@@ -114,6 +114,31 @@ std::vector<StopInput> withEdits(std::vector<StopInput> inputs, std::span<const 
     for (const auto& [path, scan] : omitted)
         inputs.erase(inputs.begin() + static_cast<std::ptrdiff_t>(placeOf(inputs, path, scan)));
     return inputs;
+}
+
+std::map<int, Pose> floorsByHand(std::span<const StopScan> stops, std::span<const StopEdit> edits)
+{
+    std::map<int, Pose> places;  // of stops by their number
+    std::map<int, int> placed;   // the stop that was placed last, by floor
+    for (const StopEdit& each : edits) {
+        if (each.edit.kind != MapEdit::Kind::Floor)
+            continue;
+        const auto stop = std::ranges::find_if(
+            stops, [&](const StopScan& other) { return other.path == each.path && other.scan == each.edit.scan; });
+        if (stop == stops.end())
+            continue;
+        const int number = static_cast<int>(stop - stops.begin());
+        if (each.edit.place) {
+            places[number] = *each.edit.place;
+            placed[stop->floor] = number;
+        } else {
+            placed.erase(stop->floor);
+        }
+    }
+    std::map<int, Pose> ofStops;
+    for (const auto& [floor, number] : placed)
+        ofStops[number] = places[number];
+    return ofStops;
 }
 
 void matchByHand(MapBuilder& builder, std::span<const StopScan> stops, std::span<const StopEdit> edits,

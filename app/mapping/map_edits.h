@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ Result<std::vector<StopEdit>> mapEditsOf(std::span<const std::string> paths, std
 /// told to `problems`.
 std::vector<StopInput> withEdits(std::vector<StopInput> inputs, std::span<const StopEdit> edits,
                                  std::vector<std::string>& problems);
+
+/// Where floors were placed by hand: the pose in the building of one stop of each such floor, by the stop's number.
+std::map<int, Pose> floorsByHand(std::span<const StopScan> stops, std::span<const StopEdit> edits);
 
 /// Matches planes of a floor's stops as edits say; the map follows at the next adjust(). An edit that cannot be applied
 /// is told to `problems`; those of stops on other floors are not looked at.

@@ -43,6 +43,23 @@ Result<std::vector<MappedFloor>> mapFloors(std::span<const StopScan> stops, std:
     return mapped;
 }
 
+void placeFloors(std::span<MappedFloor> floors, const std::map<int, Pose>& ofStops)
+{
+    for (MappedFloor& floor : floors) {
+        for (const MapStop& stop : floor.builder.map().stops) {
+            const auto place = ofStops.find(stop.stop->id);
+            if (place == ofStops.end())
+                continue;
+            if (stop.isPlaced())
+                floor.frame = place->second * stop.pose.inverse();
+            else
+                floor.problems.push_back("floor " + std::to_string(floor.floor) + ": stop " +
+                                         std::to_string(stop.stop->id) +
+                                         ", by which it was placed, is not on the map; place it by another stop");
+        }
+    }
+}
+
 std::vector<PlaneResult> planesOfFloors(std::span<const MappedFloor> floors, std::span<const StopScan> stops)
 {
     std::vector<PlaneResult> planes;

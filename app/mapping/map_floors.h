@@ -42,6 +42,10 @@ struct MappingPlan {
 Result<std::vector<MappedFloor>> mapFloors(std::span<const StopScan> stops, std::span<const FloorScans> floors,
                                            const std::map<int, Pose>& frames, const MappingPlan& plan);
 
+/// Puts floors where they were placed by hand (floorsByHand); the others stay. A floor whose stop is not placed on it
+/// stays too, and says so among its problems.
+void placeFloors(std::span<MappedFloor> floors, const std::map<int, Pose>& ofStops);
+
 /// The planes of all floors in the frame of the building, numbered from 0.
 std::vector<PlaneResult> planesOfFloors(std::span<const MappedFloor> floors, std::span<const StopScan> stops);
 

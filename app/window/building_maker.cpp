@@ -108,6 +108,7 @@ Result<std::shared_ptr<const BuiltMap>> BuildingMaker::make(const BuildingReques
     auto mapped = mapFloors(built->stops, floors, framesByOdometry(built->stops, floors), plan);
     if (!mapped)
         return tl::unexpected{mapped.error()};
+    placeFloors(*mapped, floorsByHand(built->stops, edits));
     built->floors = std::move(*mapped);
     built->planes = planesOfFloors(built->floors, built->stops);
     for (const MappedFloor& floor : built->floors) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/window/asking.h"
-#include "app/window/odometry_dialog.h"
+#include "app/window/place_dialog.h"
 
 namespace planewright {
 
@@ -120,6 +120,7 @@ void MapControl::connectPanel()
         select(planes);
     });
     connect(panel_, &MapPanel::planRequested, this, &MapControl::drawPlan);
+    connect(panel_, &MapPanel::floorRequested, this, &MapControl::askFloor);
 }
 
 void MapControl::connectExports()
@@ -236,8 +237,9 @@ void MapControl::takeMap(const std::shared_ptr<const BuiltMap>& map)
     refreshActions();
     for (const std::string& problem : map->problems)
         parts_.log(LogSeverity::Warning, tr("map"), QString::fromStdString(problem));
-    if (building->floors.size() > 1)
-        parts_.say(tr("The floors stand where odometry says."));
+    if (!std::ranges::all_of(building->floors.begin() + 1, building->floors.end(),
+                             [this](int floor) { return isPlacedByHand(floor); }))
+        parts_.say(tr("Floors stand where odometry says until they are placed by hand."));
 }
 
 void MapControl::takeFailure(const Error& error)
@@ -287,10 +289,12 @@ void MapControl::askOdometry(int scan)
     if (row < 0)
         return;
     const ShownStop& stop = stops_.stop(row);
-    auto* dialog = new OdometryDialog(tr("stop %1").arg(stop.number), stop.told, parts_.window.get());
+    auto* dialog = new PlaceDialog({QStringLiteral("odometry"), tr("Odometry of stop %1").arg(stop.number),
+                                    tr("It is &known where wheels tell it to be")},
+                                   stop.told, Pose{}, parts_.window.get());
     connect(dialog, &QDialog::accepted, this, [this, scan, dialog] {
         MapEdit typed = mapEditOf(MapEdit::Kind::Odometry, scan);
-        typed.odometry = dialog->odometry();
+        typed.odometry = dialog->place();
         edit(typed);
     });
     ask(dialog);

@@ -46,6 +46,8 @@ private:
     void edit(const MapEdit& edit);
     void move(int scan, int by);
     void askOdometry(int scan);
+    void askFloor(int number);
+    bool isPlacedByHand(int floor) const;
     void match(int row, const std::optional<SeenPlane>& as);
     /// A sighting of a plane of the map by another stop than the one that saw `own`.
     std::optional<SeenPlane> sightingOf(PlaneId plane, const StopPlane& own) const;

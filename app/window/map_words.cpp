@@ -25,12 +25,17 @@ QString lineOf(const MapEdit& edit)
                                          .arg(edit.as->scan)
                                    : QObject::tr("%1 is a plane of its own").arg(label(edit.plane)));
         case MapEdit::Kind::Odometry:
+        case MapEdit::Kind::Floor:
             break;
     }
-    if (!edit.odometry)
-        return scan + QObject::tr("odometry is not known");
-    const Eigen::Vector3d& place = edit.odometry->translation;
-    return scan + QObject::tr("odometry says x %1 y %2 z %3 m")
+    const bool isFloor = edit.kind == MapEdit::Kind::Floor;
+    const std::optional<Pose>& pose = isFloor ? edit.place : edit.odometry;
+    if (!pose)
+        return scan +
+               (isFloor ? QObject::tr("its floor is where odometry says") : QObject::tr("odometry is not known"));
+    const Eigen::Vector3d& place = pose->translation;
+    return scan + (isFloor ? QObject::tr("it and its floor are at x %1 y %2 z %3 m")
+                           : QObject::tr("odometry says x %1 y %2 z %3 m"))
                       .arg(place.x(), 0, 'f', 3)
                       .arg(place.y(), 0, 'f', 3)
                       .arg(place.z(), 0, 'f', 3);

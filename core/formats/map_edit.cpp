@@ -25,7 +25,8 @@ namespace planewright {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kMapKinds{"omit-stop", "order-stop", "match-plane", "stop-odometry"};
+constexpr std::array<std::string_view, 5> kMapKinds{"omit-stop", "order-stop", "match-plane", "stop-odometry",
+                                                    "place-floor"};
 constexpr std::size_t kLongestPayload = 4096;  // bytes
 constexpr double kFarthest = 1e6;              // [m]
 constexpr double kUnitTolerance = 1e-3;
@@ -105,6 +106,10 @@ std::string readKey(const std::string& key, const nlohmann::json& value, MapEdit
         edit.odometry = poseIn(value);
         return edit.odometry || value.is_null() ? std::string{} : "'pose' is not [x,y,z,qw,qx,qy,qz]";
     }
+    if (key == "pose" && edit.kind == Kind::Floor) {
+        edit.place = poseIn(value);
+        return edit.place || value.is_null() ? std::string{} : "'pose' is not [x,y,z,qw,qx,qy,qz]";
+    }
     return quotedText(key) + " does not belong into the payload of this edit, or is of a wrong type";
 }
 
@@ -135,11 +140,13 @@ std::string mapEditJson(const MapEdit& edit)
                             : "null";
             return json + "}";
         case MapEdit::Kind::Odometry:
+        case MapEdit::Kind::Floor:
             break;
     }
+    const std::optional<Pose>& pose = edit.kind == MapEdit::Kind::Floor ? edit.place : edit.odometry;
     json = R"({"pose":)";
-    if (edit.odometry)
-        appendPose(json, *edit.odometry);
+    if (pose)
+        appendPose(json, *pose);
     else
         json += "null";
     return json + "}";

@@ -28,6 +28,7 @@ struct MapEdit {
         Order,     ///< it comes right before another stop, or last
         Match,     ///< its plane is the one that another stop saw, or is one of its own
         Odometry,  ///< where wheels tell it to be, or that nobody knows
+        Floor,     ///< where it is in the building, and its floor with it; or that this is left to odometry
     };
     Kind kind = Kind::Omit;
     int scan = 0;                  ///< of the stop, in its file
@@ -36,6 +37,7 @@ struct MapEdit {
     PlaneId plane = kNoPlane;      ///< of Match: of the stop's own
     std::optional<SeenPlane> as;   ///< of Match; none: no other plane is the same
     std::optional<Pose> odometry;  ///< of Odometry; none: unknown
+    std::optional<Pose> place;     ///< of Floor; none: left to odometry
 };
 std::string_view name(MapEdit::Kind kind);
 

@@ -244,11 +244,16 @@ QWidget* MapPanel::makePlan()
     for (QWidget* widget : std::initializer_list<QWidget*>{floorLabel, floor_, heightLabel, height_})
         fields->addWidget(widget);
     fields->addStretch(1);
+    placeFloor_ =
+        mapButton(QStringLiteral("placeFloor"), tr("&Place floor…"),
+                  tr("Say where this floor is in the building, or let it snap to the walls of another"), page);
+    fields->addWidget(placeFloor_);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins({});
     layout->addLayout(fields);
     layout->addWidget(plan_, 1);
     connect(floor_, &QComboBox::currentIndexChanged, this, &MapPanel::planRequested);
+    connect(placeFloor_, &QPushButton::clicked, this, [this] { emit floorRequested(planFloor()); });
     connect(height_, &QDoubleSpinBox::valueChanged, this, &MapPanel::planRequested);
     return page;
 }
@@ -264,6 +269,7 @@ void MapPanel::setBuilding(const std::shared_ptr<const ShownBuilding>& building)
     const bool any = building_ && building_->allStops > 0;
     until_->setEnabled(any);
     exports_->setEnabled(any);
+    placeFloor_->setEnabled(any);
     if (!any) {
         summary_->setText(tr("No map yet."));
         untilText_->clear();

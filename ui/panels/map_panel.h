@@ -71,6 +71,7 @@ signals:
     void stopChosen(int row);
     /// Another floor, or another height.
     void planRequested();
+    void floorRequested(int floor);
 
 private:
     QWidget* makeStops();
@@ -105,6 +106,7 @@ private:
     QPushButton* force_ = nullptr;
     QComboBox* floor_ = nullptr;
     QDoubleSpinBox* height_ = nullptr;
+    QPushButton* placeFloor_ = nullptr;
     FloorPlanView* plan_ = nullptr;
     bool isBusy_ = false;
 };

@@ -28,6 +28,7 @@ private slots:
     void eachFloorHasAPlanOfItsOwn();
     void parametersOfMapsAreTakenByMap();
     void editsOfTheMapAreHonoured();
+    void floorsStandWhereTheyWerePlacedByHand();
     void whatCannotBeMappedIsNamed_data();
     void whatCannotBeMappedIsNamed();
     void theSameStopsGiveTheSameBytes();
@@ -287,6 +288,32 @@ void CliMapTest::editsOfTheMapAreHonoured()
     QCOMPARE(lines(applied).size(), 21);
     QVERIFY(applied.err.contains("applied.pwscan, scan 3, P99: this plane is not in the map"));
     QCOMPARE(run({"validate", "edited.pwscan"}).code, 0);
+}
+
+void CliMapTest::floorsStandWhereTheyWerePlacedByHand()
+{
+    QVERIFY(run({"simulate", "building", "--floors", "2", "--stops", "6", "-o", "placed.pwscan", "--truth-poses",
+                 "placed.txt"})
+                .code == 0);
+    QVERIFY(run({"map", "placed.pwscan"}).err.contains("--floor-poses"));
+    {
+        auto project = planewright::PwscanProject::open(path("placed.pwscan").toStdString());
+        QVERIFY(project);
+        planewright::MapEdit edit;
+        edit.kind = planewright::MapEdit::Kind::Floor;
+        edit.scan = 4;  // the first of the upper floor
+        edit.place = planewright::Pose{Eigen::Quaterniond::Identity(), {10.0, 20.0, 3.5}};
+        QVERIFY(project->append(edit));
+    }
+
+    const ProgramRun placed = run({"map", "placed.pwscan", "--poses", "placed-poses.txt", "-o", "kept.pwscan"});
+    const ProgramRun kept = run({"map", "kept.pwscan", "--poses", "kept-poses.txt"});
+
+    QVERIFY2(placed.code == 0, placed.err);
+    QVERIFY2(kept.code == 0, kept.err);
+    QVERIFY(bytesOf(path("placed-poses.txt")).contains("\n3 10 20 3.5 0 0 0 1\n"));
+    QCOMPARE(bytesOf(path("kept-poses.txt")), bytesOf(path("placed-poses.txt")));
+    QVERIFY(run({"map", "placed.pwscan", "--no-edits"}).err.contains("--floor-poses"));
 }
 
 void CliMapTest::whatCannotBeMappedIsNamed_data()

@@ -21,6 +21,8 @@ private slots:
     void aRejectedMatchIsAPlaneOfItsOwn();
     void aForcedMatchHoldsAndTellsHowFarItIs();
     void aMatchThatCannotBeIsTold();
+    void aFloorIsPlacedByOneOfItsStops();
+    void aFloorIsLeftToOdometryAgain();
 };
 
 namespace {
@@ -50,6 +52,15 @@ StopEdit odometry(int scan, const std::optional<Pose>& pose)
     edit.kind = MapEdit::Kind::Odometry;
     edit.scan = scan;
     edit.odometry = pose;
+    return {kFile, edit};
+}
+
+StopEdit placeFloor(int scan, const std::optional<Pose>& pose)
+{
+    MapEdit edit;
+    edit.kind = MapEdit::Kind::Floor;
+    edit.scan = scan;
+    edit.place = pose;
     return {kFile, edit};
 }
 
@@ -185,6 +196,34 @@ void MapEditsTest::aMatchThatCannotBeIsTold()
                          "that it was matched with; that match is not applied"));
     QVERIFY(edited.problems[2].find("room.pwscan, scan 5, P00") != std::string::npos);
     QVERIFY(edited.builder.map().stops[1].matches[1].state == MatchState::Matched);
+}
+
+void MapEditsTest::aFloorIsPlacedByOneOfItsStops()
+{
+    std::vector<StopScan> stops{stopInRoom(1, {0.0, 0.0, 0.0}), stopInRoom(2, {1.0, 0.5, 0.0}),
+                                stopInRoom(3, {0.0, 0.0, 0.0}), stopInRoom(4, {-1.0, 2.0, 0.0})};
+    stops[2].floor = stops[3].floor = 1;
+    const std::vector<FloorScans> floors = floorsOf(stops);
+    auto mapped = mapFloors(stops, floors, {{0, Pose{}}, {1, Pose{}}}, {});
+    QVERIFY(mapped);
+    const Pose place{Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ())), {4.0, 5.0, 3.2}};
+
+    const auto byHand =
+        floorsByHand(stops, std::vector{placeFloor(3, Pose{}), placeFloor(4, place), placeFloor(9, place), omit(1)});
+    placeFloors(*mapped, byHand);
+
+    QCOMPARE(byHand.size(), std::size_t(1));
+    QCOMPARE((*mapped)[0].frame.translation, Eigen::Vector3d(0.0, 0.0, 0.0));
+    const MappedFloor& upper = (*mapped)[1];
+    const Pose fourth = upper.frame * upper.builder.map().stops[1].pose;
+    QVERIFY((fourth.translation - place.translation).norm() < 1e-9);
+    QVERIFY(fourth.rotation.angularDistance(place.rotation) < 1e-9);
+}
+
+void MapEditsTest::aFloorIsLeftToOdometryAgain()
+{
+    const std::vector<StopScan> stops{stopInRoom(1, {0.0, 0.0, 0.0})};
+    QVERIFY(floorsByHand(stops, std::vector{placeFloor(1, Pose{}), placeFloor(1, std::nullopt)}).empty());
 }
 
 PLANEWRIGHT_TEST(MapEditsTest)

@@ -1,17 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <fstream>
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QProcess>
 #include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
 #include <QtTest>
 
-#include "app/window/odometry_dialog.h"
+#include "app/window/place_dialog.h"
 #include "app/window/screenshot.h"
 #include "app/window/waiting.h"
+#include "core/formats/trajectory_tum.h"
 #include "tests/app/window/shown_window.h"
 #include "tests/test_program.h"
 #include "tests/ui/view3d/reference_image.h"
@@ -34,6 +38,7 @@ private slots:
     void aStopIsTakenOutAndComesBack();
     void stopsAreReordered();
     void odometryIsTypedIn();
+    void aFloorSnapsToTheWallsBelow();
     void theSliderShowsTheMapAsItWas();
     void aClickChoosesAPlaneAndItsMatch();
     void colouringsHaveLegends();
@@ -55,6 +60,11 @@ private:
     Widget* find(const char* name)
     {
         return panel().findChild<Widget*>(QLatin1String(name));
+    }
+    static std::vector<StampedPose> posesIn(const QString& file)
+    {
+        std::ifstream in(file.toStdString());
+        return readTrajectoryTum(in, file.toStdString()).value_or(std::vector<StampedPose>{});
     }
     /// The row of a match with a plane that a stop before had seen, of the last stop.
     int matchedRow();
@@ -240,7 +250,7 @@ void MapWindowTest::odometryIsTypedIn()
     panel().stopsTable()->choose({1});
 
     QTest::mouseClick(find<QPushButton>("stopOdometry"), Qt::LeftButton);
-    auto* dialog = parts_->window->findChild<OdometryDialog*>(QStringLiteral("odometryDialog"));
+    auto* dialog = parts_->window->findChild<PlaceDialog*>(QStringLiteral("odometryDialog"));
     QVERIFY(dialog != nullptr);
     dialog->findChild<QDoubleSpinBox*>(QStringLiteral("odometryX"))->setValue(1.25);
     dialog->accept();
@@ -248,6 +258,47 @@ void MapWindowTest::odometryIsTypedIn()
 
     QCOMPARE(building().stops[1].told->translation.x(), 1.25);
     QCOMPARE(parts_->mapEdits.inForce().size(), std::size_t(1));
+}
+
+void MapWindowTest::aFloorSnapsToTheWallsBelow()
+{
+    QVERIFY(runCli({"simulate", "building", "--floors", "2", "--stops", "24", "--seed", "4", "--overwrite", "-o",
+                    "floors.pwscan", "--truth-poses", "truth.txt"}));
+    file_ = folder_.filePath(QStringLiteral("floors.pwscan"));
+    showMap();
+    QCOMPARE(building().floors.size(), std::size_t(2));
+    const MappedFloor before = map()->floors[1];
+    find<QComboBox>("planFloor")->setCurrentText(QStringLiteral("1"));
+
+    QTest::mouseClick(find<QPushButton>("placeFloor"), Qt::LeftButton);
+    auto* dialog = parts_->window->findChild<PlaceDialog*>(QStringLiteral("floorDialog"));
+    QVERIFY(dialog != nullptr);
+    QVERIFY(!dialog->place().has_value());
+    QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("floorFit")), Qt::LeftButton);
+    const QString said = dialog->findChild<QLabel*>(QStringLiteral("floorFitted"))->text();
+    QVERIFY2(said.contains(QStringLiteral("over walls of floor 0")), qPrintable(said));
+    const Pose place = dialog->place().value();
+    dialog->accept();
+    QVERIFY(settle());
+
+    const MappedFloor& after = map()->floors[1];
+    const Pose stop = after.frame * after.builder.map().stops.front().pose;
+    QVERIFY((stop.translation - place.translation).norm() < 1e-9);
+    QVERIFY((after.frame.translation - before.frame.translation).norm() > 1e-3);
+    // Both floors have the same core: where wheels put the upper one to some centimetres, walls do to a few
+    // millimetres.
+    const auto truth = posesIn(folder_.filePath(QStringLiteral("truth.txt")));
+    QCOMPARE(truth.size(), std::size_t(24));
+    const auto errorOf = [&](const MappedFloor& floor) {
+        const MapStop& first = floor.builder.map().stops.front();
+        const Pose known = truth[0].pose.inverse() * truth[static_cast<std::size_t>(first.stop->id)].pose;
+        return ((floor.frame * first.pose).translation - known.translation).head<2>().norm();
+    };
+    QVERIFY(errorOf(after) < 0.5 * errorOf(before));
+    QCOMPARE(parts_->mapEdits.inForce().size(), std::size_t(1));
+    shown_->action("actUndo")->trigger();
+    QVERIFY(settle());
+    QVERIFY((map()->floors[1].frame.translation - before.frame.translation).norm() < 1e-12);
 }
 
 void MapWindowTest::theSliderShowsTheMapAsItWas()

@@ -82,6 +82,10 @@ void MapEditTest::everyKindComesBack_data()
                              << R"({"plane":3,"as":null})";
     QTest::newRow("a pose") << "stop-odometry"
                             << R"({"pose":[1.5,-2.25,0,0.6,0,0,0.8]})";
+    QTest::newRow("a floor") << "place-floor"
+                             << R"({"pose":[1.5,-2.25,3.2,0.6,0,0,0.8]})";
+    QTest::newRow("a floor left to odometry") << "place-floor"
+                                              << R"({"pose":null})";
     QTest::newRow("no pose") << "stop-odometry"
                              << R"({"pose":null})";
 }
@@ -121,6 +125,7 @@ void MapEditTest::whatIsNoPayloadIsRefused_data()
     row("a plane beyond int", "match-plane", R"({"plane":2147483648,"as":null})", "'plane' is no plane number");
     row("only one plane", "match-plane", R"({"plane":1})", "the payload of 'match-plane' lacks something");
     row("a plane of no scan", "match-plane", R"({"plane":1,"as":{"plane":2}})", "'as' is no plane of a scan");
+    row("a floor of six", "place-floor", R"({"pose":[0,0,0,1,0,0]})", "'pose' is not [x,y,z,qw,qx,qy,qz]");
     row("a pose of six", "stop-odometry", R"({"pose":[0,0,0,1,0,0]})", "'pose' is not [x,y,z,qw,qx,qy,qz]");
     row("no rotation", "stop-odometry", R"({"pose":[0,0,0,0,0,0,0]})", "'pose' is not [x,y,z,qw,qx,qy,qz]");
     row("too far", "stop-odometry", R"({"pose":[1e7,0,0,1,0,0,0]})", "'pose' is not [x,y,z,qw,qx,qy,qz]");

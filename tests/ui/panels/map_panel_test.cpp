@@ -220,6 +220,10 @@ void MapPanelTest::thePlanIsOfAFloorAndAHeight()
     sketch.lines.push_back({true, {0.0, 0.0}, {4.0, 0.0}});
     sketch.stops.push_back({{1.0, 1.0}, 3});
     panel_->setPlan(sketch);
+    QSignalSpy floors(panel_.get(), &MapPanel::floorRequested);
+    QTest::mouseClick(find<QPushButton>("placeFloor"), Qt::LeftButton);
+    QCOMPARE(floors.size(), 1);
+    QCOMPARE(floors[0][0].toInt(), 1);
     QCOMPARE(find<FloorPlanView>("floorPlanView")->accessibleDescription(),
              QStringLiteral("1 line, 1 stop from above"));
 }

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "app/window/odometry_dialog.h"
+#include "app/window/place_dialog.h"
 
 #include <cmath>
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
 
 #include "core/types/angle.h"
 #include "ui/panels/plain_fields.h"
@@ -27,39 +29,39 @@ double headingOf(const Pose& pose)
 
 }  // namespace
 
-OdometryDialog::OdometryDialog(const QString& stop, const std::optional<Pose>& known, QWidget* parent)
+PlaceDialog::PlaceDialog(const Words& words, const std::optional<Pose>& known, const Pose& start, QWidget* parent)
     : QDialog(parent),
-      before_(known.value_or(Pose{})),
+      name_(words.name),
+      before_(known.value_or(start)),
       headingBefore_(headingOf(before_)),
-      isKnown_(new QCheckBox(tr("It is &known where wheels tell it to be"), this)),
+      form_(new QFormLayout(this)),
+      isKnown_(new QCheckBox(words.known, this)),
       heading_(new PlainSpinBox(this))
 {
-    setObjectName(QStringLiteral("odometryDialog"));
-    setWindowTitle(tr("Odometry of %1").arg(stop));
-    auto* form = new QFormLayout(this);
-    isKnown_->setObjectName(QStringLiteral("odometryKnown"));
+    setObjectName(name_ + QStringLiteral("Dialog"));
+    setWindowTitle(words.title);
+    isKnown_->setObjectName(name_ + QStringLiteral("Known"));
     isKnown_->setChecked(known.has_value());
-    form->addRow(isKnown_);
+    form_->addRow(isKnown_);
     const char* const names[3] = {"&x, right", "&y, ahead", "&z, up"};
     for (int axis = 0; axis < 3; ++axis) {
         auto* field = new PlainSpinBox(this);
-        field->setObjectName(QStringLiteral("odometry%1").arg(QLatin1Char("XYZ"[axis])));
+        field->setObjectName(name_ + QLatin1Char("XYZ"[axis]));
         field->setRange(-kFarthestStop, kFarthestStop);
         field->setDecimals(3);
         field->setSingleStep(0.1);
         field->setSuffix(QStringLiteral(" m"));
-        field->setValue(before_.translation[axis]);
         place_[axis] = field;
-        form->addRow(tr(names[axis]), field);
+        form_->addRow(tr(names[axis]), field);
     }
-    heading_->setObjectName(QStringLiteral("odometryHeading"));
+    heading_->setObjectName(name_ + QStringLiteral("Heading"));
     heading_->setRange(-360.0, 360.0);
     heading_->setDecimals(2);
     heading_->setSuffix(QStringLiteral("°"));
-    heading_->setValue(toDegrees(headingBefore_));
-    form->addRow(tr("&Turned to the left"), heading_);
+    form_->addRow(tr("&Turned to the left"), heading_);
+    show(before_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    form->addRow(buttons);
+    form_->addRow(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     const auto refresh = [this](bool on) {
@@ -71,12 +73,39 @@ OdometryDialog::OdometryDialog(const QString& stop, const std::optional<Pose>& k
     refresh(known.has_value());
 }
 
-std::optional<Pose> OdometryDialog::odometry() const
+void PlaceDialog::offerToFit(const QString& text, std::function<std::pair<Pose, QString>(const Pose&)> fit)
 {
-    if (!isKnown_->isChecked())
-        return std::nullopt;
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(name_ + QStringLiteral("Fit"));
+    auto* said = new QLabel(this);
+    said->setObjectName(name_ + QStringLiteral("Fitted"));
+    said->setWordWrap(true);
+    form_->insertRow(form_->rowCount() - 1, button);
+    form_->insertRow(form_->rowCount() - 1, said);
+    connect(button, &QPushButton::clicked, this, [this, said, fit = std::move(fit)] {
+        isKnown_->setChecked(true);
+        const auto [fitted, words] = fit(pose());
+        show(fitted);
+        said->setText(words);
+    });
+}
+
+void PlaceDialog::show(const Pose& pose)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        place_[axis]->setValue(pose.translation[axis]);
+    heading_->setValue(toDegrees(headingOf(pose)));
+}
+
+Pose PlaceDialog::pose() const
+{
     const Eigen::AngleAxisd turn(degrees(heading_->value()) - headingBefore_, Eigen::Vector3d::UnitZ());
     return Pose{(turn * before_.rotation).normalized(), {place_[0]->value(), place_[1]->value(), place_[2]->value()}};
+}
+
+std::optional<Pose> PlaceDialog::place() const
+{
+    return isKnown_->isChecked() ? std::optional(pose()) : std::nullopt;
 }
 
 }  // namespace planewright
