@@ -19,6 +19,7 @@ namespace planewright {
 namespace {
 
 constexpr double kFarthestStop = 1e5;  // [m]
+constexpr int kSaidWidth = 300;        // [px]
 
 /// How far a pose is turned about the vertical [rad].
 double headingOf(const Pose& pose)
@@ -80,6 +81,8 @@ void PlaceDialog::offerToFit(const QString& text, std::function<std::pair<Pose, 
     auto* said = new QLabel(this);
     said->setObjectName(name_ + QStringLiteral("Fitted"));
     said->setWordWrap(true);
+    said->setMinimumWidth(kSaidWidth);
+    said->hide();
     form_->insertRow(form_->rowCount() - 1, button);
     form_->insertRow(form_->rowCount() - 1, said);
     connect(button, &QPushButton::clicked, this, [this, said, fit = std::move(fit)] {
@@ -87,6 +90,8 @@ void PlaceDialog::offerToFit(const QString& text, std::function<std::pair<Pose, 
         const auto [fitted, words] = fit(pose());
         show(fitted);
         said->setText(words);
+        said->show();
+        adjustSize();
     });
 }
 
