@@ -60,18 +60,7 @@ std::string_view ByteReader::bytes(std::size_t size)
 
 std::string ByteReader::problem() const
 {
-    switch (source_.end()) {
-        case ByteSource::End::CutShort:
-            return "the compressed data stop in the middle; get the whole file";
-        case ByteSource::End::Corrupt:
-            return "the compressed data are damaged here; get the file again";
-        case ByteSource::End::Garbage:
-            return "something that is not gzip follows the compressed data; compress the file anew";
-        case ByteSource::End::Unreadable:
-            return "the file cannot be read; check that it is a file and that its disk is sound";
-        default:
-            return {};
-    }
+    return problemText(source_.end());
 }
 
 }  // namespace planewright

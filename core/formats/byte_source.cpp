@@ -103,4 +103,22 @@ std::size_t ByteSource::readInflated(char* to, std::size_t size)
     }
 }
 
+std::string problemText(ByteSource::End end)
+{
+    switch (end) {
+        case ByteSource::End::CutShort:
+            return "the compressed data stop in the middle; get the whole file";
+        case ByteSource::End::Corrupt:
+            return "the compressed data are damaged here; get the file again";
+        case ByteSource::End::Garbage:
+            return "something that is not gzip follows the compressed data; compress the file anew";
+        case ByteSource::End::Unreadable:
+            return "the file cannot be read; check that it is a file and that its disk is sound";
+        case ByteSource::End::NotYet:
+        case ByteSource::End::Complete:
+            break;
+    }
+    return {};
+}
+
 }  // namespace planewright

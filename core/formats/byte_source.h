@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <istream>
 #include <memory>
+#include <string>
 #include <vector>
 
 struct z_stream_s;
@@ -51,5 +52,8 @@ private:
     bool afterFirstMember_ = false;
     End end_ = End::NotYet;
 };
+
+/// What is wrong where there are no more bytes; empty where nothing is.
+std::string problemText(ByteSource::End end);
 
 }  // namespace planewright

@@ -10,20 +10,6 @@ namespace {
 constexpr std::size_t kReadSize = std::size_t{64} * 1024;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-std::string describe(ByteSource::End end)
-{
-    switch (end) {
-        case ByteSource::End::Corrupt:
-            return "the compressed data are damaged here; get the file again";
-        case ByteSource::End::Garbage:
-            return "something that is not gzip follows the compressed data; compress the file anew";
-        case ByteSource::End::Unreadable:
-            return "the file cannot be read; check that it is a file and that its disk is sound";
-        default:
-            return {};
-    }
-}
-
 }  // namespace
 
 TextLines::TextLines(std::istream& in, std::size_t longestLine) : source_(in), longestLine_(longestLine) {}
@@ -63,8 +49,9 @@ std::optional<std::string_view> TextLines::next()
         if (terminated_)
             break;
         if (!readMore()) {
-            problem_ = describe(source_.end());
             cutShort_ = source_.end() == ByteSource::End::CutShort;
+            if (!cutShort_)
+                problem_ = problemText(source_.end());
             if (!problem_.empty() || buffer_.empty())
                 return std::nullopt;
             length = buffer_.size();
