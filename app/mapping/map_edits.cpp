@@ -118,8 +118,7 @@ std::vector<StopInput> withEdits(std::vector<StopInput> inputs, std::span<const 
 
 std::map<int, Pose> floorsByHand(std::span<const StopScan> stops, std::span<const StopEdit> edits)
 {
-    std::map<int, Pose> places;  // of stops by their number
-    std::map<int, int> placed;   // the stop that was placed last, by floor
+    std::map<int, std::pair<int, Pose>> ofFloors;  // the stop that was placed last, and where
     for (const StopEdit& each : edits) {
         if (each.edit.kind != MapEdit::Kind::Floor)
             continue;
@@ -127,17 +126,14 @@ std::map<int, Pose> floorsByHand(std::span<const StopScan> stops, std::span<cons
             stops, [&](const StopScan& other) { return other.path == each.path && other.scan == each.edit.scan; });
         if (stop == stops.end())
             continue;
-        const int number = static_cast<int>(stop - stops.begin());
-        if (each.edit.place) {
-            places[number] = *each.edit.place;
-            placed[stop->floor] = number;
-        } else {
-            placed.erase(stop->floor);
-        }
+        if (each.edit.place)
+            ofFloors[stop->floor] = {static_cast<int>(stop - stops.begin()), *each.edit.place};
+        else
+            ofFloors.erase(stop->floor);
     }
     std::map<int, Pose> ofStops;
-    for (const auto& [floor, number] : placed)
-        ofStops[number] = places[number];
+    for (const auto& [floor, placed] : ofFloors)
+        ofStops.insert(placed);
     return ofStops;
 }
 

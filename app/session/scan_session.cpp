@@ -67,12 +67,7 @@ Result<void> ScanSession::cancel()
 
 Result<void> ScanSession::start()
 {
-    if (Result<void> allowed = parts_->request(SessionRequest::Start); !allowed)
-        return allowed;
-    parts_->opened.source->release();
-    parts_->startScan();
-    parts_->tellState();
-    return {};
+    return parts_->startAsked(false);
 }
 
 QString ScanSession::nextStopRefusal() const
@@ -85,8 +80,7 @@ Result<void> ScanSession::startNextStop()
 {
     if (const QString refused = nextStopRefusal(); !refused.isEmpty())
         return fail(ErrorCode::Usage, refused.toStdString());
-    parts_->isNextStop = true;
-    return start();
+    return parts_->startAsked(true);
 }
 
 Result<void> ScanSession::goHome()

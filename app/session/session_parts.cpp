@@ -149,12 +149,11 @@ void SessionParts::refuseOpened(const Error& error)
 }
 
 /// A recorder for a scan that is taken now, where recording is on.
-std::unique_ptr<SliceRecorder> SessionParts::recorder()
+std::unique_ptr<SliceRecorder> SessionParts::recorder(bool isNextStop)
 {
-    const bool appends = std::exchange(isNextStop, false);
     projectTried_ = false;
     scansBefore_ = 0;
-    if (appends) {
+    if (isNextStop) {
         if (const auto file = PwscanProject::open(recordedPath_)) {
             const auto scans = file->scans();
             scansBefore_ = scans ? scans->size() : 0;
@@ -180,7 +179,17 @@ std::string SessionParts::noNextStopBecause() const
     return {};
 }
 
-void SessionParts::startScan()
+Result<void> SessionParts::startAsked(bool isNextStop)
+{
+    if (Result<void> allowed = request(SessionRequest::Start); !allowed)
+        return allowed;
+    opened.source->release();
+    startScan(isNextStop);
+    tellState();
+    return {};
+}
+
+void SessionParts::startScan(bool isNextStop)
 {
     idle.reset();
     run.reset();
@@ -191,9 +200,10 @@ void SessionParts::startScan()
         opened.edits.clear();
         emit session.projectChanged();
     }
-    auto next = std::make_unique<SessionRun>([this](const ScanEvents& events) {
+    auto next = std::make_unique<SessionRun>([this, isNextStop](const ScanEvents& events) {
         auto work = std::make_unique<ScanPipeline>(
-            PipelineSetup{opened.source, recorder(), parameters, options.explain, true, kRecovery}, events, clock);
+            PipelineSetup{opened.source, recorder(isNextStop), parameters, options.explain, true, kRecovery}, events,
+            clock);
         pipeline = work.get();
         return work;
     });

@@ -28,7 +28,10 @@ struct SessionParts {
     // Verbs come here when they are allowed.
     Result<void> request(SessionRequest request);
     void happen(SessionHappening happening);
-    void startScan();
+    /// Of a next stop the scan is one more in the file of the one before.
+    void startScan(bool isNextStop = false);
+    /// Starts it where that is allowed now.
+    Result<void> startAsked(bool isNextStop);
     void startRerun();
     void cancelRerun();
     /// Shows another of the kept extractions.
@@ -62,8 +65,6 @@ struct SessionParts {
     std::variant<std::monostate, int, std::size_t> shownStep;
     std::shared_ptr<const SessionMap> map;
 
-    bool isNextStop = false;  ///< the scan that starts is one more in the file of the one before
-
     std::unique_ptr<IdleRun> idle;     ///< while a scanner with devices is there and no scan runs
     std::unique_ptr<SessionRun> run;   ///< while slices are taken or worked in
     ScanPipeline* pipeline = nullptr;  ///< its work, unless it is a rerun
@@ -79,7 +80,7 @@ private:
     void takeRerun();
     void storeParameters();
     void openRecorded();
-    std::unique_ptr<SliceRecorder> recorder();
+    std::unique_ptr<SliceRecorder> recorder(bool isNextStop);
     void minds();
     void tellFault(const Error& error);
 

@@ -26,6 +26,12 @@ private slots:
     void theScanAfterTheNextStopHasAFileOfItsOwn();
 };
 
+// A macro, so that a failure names the line of the test.
+#define RECORD_FIRST_STOP(session)    \
+    OPEN_ROOM((session), "&speed=0"); \
+    QVERIFY((session).start());       \
+    WAIT_FOR((session), Review)
+
 namespace {
 
 SessionOptions recordedInto(const QTemporaryDir& folder)
@@ -41,9 +47,7 @@ void NextStopTest::theNextStopIsOneScanMoreInTheSameFile()
 {
     const QTemporaryDir folder;
     ScanSession session{recordedInto(folder)};
-    OPEN_ROOM(session, "&speed=0");
-    QVERIFY(session.start());
-    WAIT_FOR(session, Review);
+    RECORD_FIRST_STOP(session);
     const std::string path = session.status().recording;
     QVERIFY(session.nextStopRefusal().isEmpty());
 
@@ -70,9 +74,7 @@ void NextStopTest::anEditOfTheNextStopIsItsOwn()
 {
     const QTemporaryDir folder;
     ScanSession session{recordedInto(folder)};
-    OPEN_ROOM(session, "&speed=0");
-    QVERIFY(session.start());
-    WAIT_FOR(session, Review);
+    RECORD_FIRST_STOP(session);
     QVERIFY(session.startNextStop());
     WAIT_FOR(session, Review);
     Edit edit;
@@ -105,9 +107,7 @@ void NextStopTest::aRecordingHasNoNextStop()
 {
     const QTemporaryDir folder;
     ScanSession session{recordedInto(folder)};
-    OPEN_ROOM(session, "&speed=0");
-    QVERIFY(session.start());
-    WAIT_FOR(session, Review);
+    RECORD_FIRST_STOP(session);
     const std::string path = session.status().recording;
     session.close();
     QVERIFY(session.open(path));
@@ -121,9 +121,7 @@ void NextStopTest::aFileThatIsGoneHasNoNextStop()
 {
     const QTemporaryDir folder;
     ScanSession session{recordedInto(folder)};
-    OPEN_ROOM(session, "&speed=0");
-    QVERIFY(session.start());
-    WAIT_FOR(session, Review);
+    RECORD_FIRST_STOP(session);
 
     std::filesystem::remove(session.status().recording);
 
@@ -134,9 +132,7 @@ void NextStopTest::theScanAfterTheNextStopHasAFileOfItsOwn()
 {
     const QTemporaryDir folder;
     ScanSession session{recordedInto(folder)};
-    OPEN_ROOM(session, "&speed=0");
-    QVERIFY(session.start());
-    WAIT_FOR(session, Review);
+    RECORD_FIRST_STOP(session);
     QVERIFY(session.startNextStop());
     WAIT_FOR(session, Review);
     const std::string path = session.status().recording;
