@@ -94,18 +94,18 @@ void MapControl::connectPanel()
     connect(panel_, &MapPanel::moveRequested, this, &MapControl::move);
     connect(panel_, &MapPanel::odometryRequested, this, &MapControl::askOdometry);
     connect(panel_, &MapPanel::acceptRequested, this, [this](int row) {
-        const ShownMatch& shown = matches_.match(row);
+        const ShownMatch& shown = matches_.matchAt(row);
         match(row, sightingOf(shown.plane != kNoPlane ? shown.plane : shown.rivals.front(), shown.own));
     });
     connect(panel_, &MapPanel::rejectRequested, this, [this](int row) { match(row, std::nullopt); });
     connect(panel_, &MapPanel::forceRequested, this, [this](int row, PlaneId plane) {
-        if (const auto as = sightingOf(plane, matches_.match(row).own))
+        if (const auto as = sightingOf(plane, matches_.matchAt(row).own))
             match(row, as);
         else
             parts_.say(tr("That plane of the map is this one, seen by this stop alone."));
     });
     connect(panel_, &MapPanel::matchChosen, this, [this](int row) {
-        const ShownMatch& shown = matches_.match(row);
+        const ShownMatch& shown = matches_.matchAt(row);
         chosen_ = shown.own;
         select(shown.plane != kNoPlane ? std::vector{shown.plane} : shown.rivals);
     });
@@ -311,7 +311,7 @@ std::optional<SeenPlane> MapControl::sightingOf(PlaneId plane, const StopPlane& 
 
 void MapControl::match(int row, const std::optional<SeenPlane>& as)
 {
-    const StopPlane own = matches_.match(row).own;
+    const StopPlane own = matches_.matchAt(row).own;
     MapEdit matched = mapEditOf(MapEdit::Kind::Match, own.scan);
     matched.plane = own.plane;
     matched.as = as;

@@ -133,7 +133,7 @@ QVariant MatchesModel::data(const QModelIndex& index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
-    const ShownMatch& shown = match(index.row());
+    const ShownMatch& shown = matchAt(index.row());
     const auto column = static_cast<MatchesColumn>(index.column());
     switch (role) {
         case Qt::DisplayRole:

@@ -23,7 +23,7 @@ public:
 
     /// Null: there is no map.
     void setBuilding(std::shared_ptr<const ShownBuilding> building);
-    const ShownMatch& match(int row) const { return building_->matches[static_cast<std::size_t>(row)]; }
+    const ShownMatch& matchAt(int row) const { return building_->matches[static_cast<std::size_t>(row)]; }
     /// The row of a stop's plane; −1 where it is not there.
     int rowOf(const StopPlane& plane) const;
 

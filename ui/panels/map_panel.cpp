@@ -371,7 +371,7 @@ void MapPanel::refreshStops()
 void MapPanel::refreshMatches()
 {
     const int row = building_ ? chosenMatch() : -1;
-    const ShownMatch* match = row >= 0 ? &matchesModel_.match(row) : nullptr;
+    const ShownMatch* match = row >= 0 ? &matchesModel_.matchAt(row) : nullptr;
     const bool isShared = match != nullptr && match->plane != kNoPlane &&
                           building_->planes[static_cast<std::size_t>(match->plane)].seenBy.size() > 1;
     accept_->setEnabled(isShared || (match != nullptr && !match->rivals.empty()));
