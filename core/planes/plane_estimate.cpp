@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "core/geometry/tangents.h"
+#include "core/planes/plane_fit.h"
 #include "core/planes/segment_formulas.h"
 #include "core/segments/line_piece.h"
 
@@ -130,6 +131,13 @@ void PlaneEstimate::addSlice(const SegmentSums<double>& sums, const NoiseParamet
     chi_ += sign * (chi - k * pitchGradient * pitchGradient);
 }
 
+void PlaneEstimate::addCommonError(const Eigen::Vector3d& gradient)
+{
+    const Eigen::Vector3d moved = covariance_ * gradient;
+    covariance_ += moved * moved.transpose();
+    normalVariance_ = largestNormalVariance(covariance_);
+}
+
 bool PlaneEstimate::solve()
 {
     Eigen::Matrix3d inverse;
@@ -145,9 +153,7 @@ bool PlaneEstimate::solve()
     const double length = moved.norm();
     normal_ = moved / length;
     distance_ = (startDistance_ + step_[2]) / length;
-    const double mean = 0.5 * (inverse(0, 0) + inverse(1, 1));
-    const double half = 0.5 * (inverse(0, 0) - inverse(1, 1));
-    normalVariance_ = mean + std::sqrt(half * half + inverse(0, 1) * inverse(0, 1));
+    normalVariance_ = largestNormalVariance(inverse);
     return true;
 }
 

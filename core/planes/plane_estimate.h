@@ -101,6 +101,9 @@ public:
         const Eigen::Vector3d row{tangents_.col(0).dot(point), tangents_.col(1).dot(point), -1.0};
         return row.dot(covariance_ * row);
     }
+    /// Adds to the covariance what one error of standard deviation 1 does, common to all that was added, of which this
+    /// is the gradient: information times the change of the parameters.
+    void addCommonError(const Eigen::Vector3d& gradient);
     /// How far the estimate is from where it was linearised [rad].
     double angleFromLinearisation() const { return step_.head<2>().norm(); }
 

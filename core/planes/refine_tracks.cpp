@@ -14,6 +14,11 @@ namespace {
 
 /// Planes that are nearer to where they were linearised [rad] are good enough to tell which segments fit.
 constexpr double kSettledAngle = 1e-3;
+/// What an end point at the border to another surface is off by, in standard deviations of a point over the points of
+/// its segment: the fewer there are, the less does their line tell which of them are its own.
+constexpr double kBorderSigmas = 2.0;
+/// Segments of more points do not feel it.
+constexpr int kFeltPoints = 15;
 /// Fits of a plane at most, each linearised where the one before ended.
 constexpr int kMostFits = 4;
 
@@ -94,6 +99,34 @@ std::vector<SegmentNumber> fittingMembers(const PlaneTrack& plane, const Segment
     return fitting;
 }
 
+/// Where a segment meets another surface the border may be drawn a point too far. It is so in slice after slice, to the
+/// same side: an error that all segments of a plane share, and that averages out over none of them.
+void addBorderErrors(PlaneTrack& plane, const SegmentBatch& counting)
+{
+    const PlaneEstimate estimate = plane.estimate.afresh();
+    Eigen::Vector3d atStarts = Eigen::Vector3d::Zero();
+    Eigen::Vector3d atEnds = Eigen::Vector3d::Zero();
+    for (int i = 0; i < counting.size(); ++i) {
+        const SegmentStatistics& s = *counting[i].statistics;
+        if (s.points > kFeltPoints || (s.startsFree && s.endsFree))
+            continue;
+        const PlaneInSlice seen = estimate.inSlice(*counting[i].frame);
+        // Of an end point that is off by its standard deviation, times how surely it is one too many.
+        const double weight = std::sqrt(s.offsetInformation / (s.points * seen.steepness)) * kBorderSigmas / s.points;
+        const auto gradientAt = [&](double place) {
+            const double u = s.u + place * s.directionU;
+            const double v = s.v + place * s.directionV;
+            return Eigen::Vector3d{weight * seen.first.at(u, v), weight * seen.second.at(u, v), -weight};
+        };
+        if (!s.startsFree)
+            atStarts += gradientAt(s.start);
+        if (!s.endsFree)
+            atEnds += gradientAt(s.end);
+    }
+    plane.estimate.addCommonError(atStarts);
+    plane.estimate.addCommonError(atEnds);
+}
+
 }  // namespace
 
 void refineTracks(TrackMap& map, const Parameters& parameters)
@@ -111,6 +144,7 @@ void refineTracks(TrackMap& map, const Parameters& parameters)
                 plane.estimate.angleFromLinearisation() < kSettledAngle)
                 break;
         }
+        addBorderErrors(plane, counting);
         map.touch(plane, step);
     }
 }

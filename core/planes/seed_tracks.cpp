@@ -182,7 +182,7 @@ void pairsOf(SegmentNumber number, const TrackMap& map, const Parameters& parame
         if (hypothesis.chi >= parameters.likelihood.joinGate ||
             !surelyMet(number, hypothesis.estimate, map, parameters))
             return;
-        hypothesis.parallelChi = parallelChi(hypothesis.estimate, map, parameters.likelihood.knownAngle);
+        hypothesis.parallelChi = parallelChi(hypothesis.estimate, map, parameters.likelihood.knownAngle, kParallel);
         hypotheses.push_back(hypothesis);
     });
 }

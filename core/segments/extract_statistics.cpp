@@ -4,10 +4,15 @@
 #include "core/segments/extract_statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "core/segments/breakpoints.h"
+#include "core/segments/line_of_rays.h"
 #include "core/segments/seen_line.h"
 #include "core/types/angle.h"
 
@@ -23,8 +28,8 @@ constexpr int kTrimmedPoints = 2;
 constexpr double kTrimSigmas = 2.5;
 /// The variance across the common line of two pieces is surely less than so many times the larger of theirs.
 constexpr double kRoughly = 4.0;
-/// Fewer points tell too little of their scatter to say how noise turned their line.
-constexpr double kScatterPoints = 9.0;
+/// So few points tell too little of their scatter to say how noise turned their line: it is drawn by their rays.
+constexpr int kFewPoints = 8;
 /// A single weight serves a segment whose ranges differ by less than this factor.
 constexpr double kOneWeightRatio = 1.6;
 
@@ -104,8 +109,43 @@ bool StatisticsExtractor::belongTogether(const LinePiece& left, const LinePiece&
     return isOneLine(together.moments.count, together.line.across, apart, together.variance);
 }
 
-void StatisticsExtractor::describe(const LinePiece& piece, const NoiseParameters& noise,
-                                   SegmentStatistics& segment) const
+/// Few points, by their rays. False where these do not tell a line, or are not of one weight.
+bool StatisticsExtractor::describeByRays(const LinePiece& piece, const NoiseParameters& noise,
+                                         SegmentStatistics& segment) const
+{
+    if (piece.clipped || piece.points() > kFewPoints)
+        return false;
+    std::array<SlicePoint, kFewPoints> points;
+    double nearest = points_.range(piece.first);
+    double farthest = nearest;
+    for (int i = piece.first; i <= piece.last; ++i) {
+        points[static_cast<std::size_t>(i - piece.first)] = {points_.u(i), points_.v(i)};
+        nearest = std::min(nearest, points_.range(i));
+        farthest = std::max(farthest, points_.range(i));
+    }
+    if (farthest >= kOneWeightRatio * nearest)
+        return false;
+    const auto count = static_cast<std::size_t>(piece.points());
+    const std::optional<LineOfRays> line = lineOfRays(std::span(points).first(count));
+    if (!line)
+        return false;
+    const double weight = 1.0 / meanVariance({line->distance, line->from, line->to}, noise);
+    segment.u = line->u;
+    segment.v = line->v;
+    segment.directionU = line->directionU();
+    segment.directionV = line->directionV();
+    segment.start = line->from - line->place;
+    segment.end = line->to - line->place;
+    segment.offsetInformation = segment.points * weight;
+    segment.slopeInformation = line->along * weight;
+    segment.chi = line->across * weight;
+    segment.thickness = line->across / segment.points;
+    segment.spread = line->along / segment.points;
+    return true;
+}
+
+void StatisticsExtractor::describeByMoments(const LinePiece& piece, const NoiseParameters& noise,
+                                            SegmentStatistics& segment) const
 {
     const LineMoments& moments = piece.moments;
     MomentLine line = piece.line;
@@ -116,9 +156,6 @@ void StatisticsExtractor::describe(const LinePiece& piece, const NoiseParameters
         line.directionV = -line.directionV;
     }
 
-    segment.firstBeam = points_.beam(piece.first);
-    segment.lastBeam = points_.beam(piece.last);
-    segment.points = static_cast<int>(moments.count);
     segment.u = moments.u;
     segment.v = moments.v;
     segment.directionU = line.directionU;
@@ -139,7 +176,7 @@ void StatisticsExtractor::describe(const LinePiece& piece, const NoiseParameters
     if (farthest < kOneWeightRatio * nearest || piece.clipped) {
         // One weight for all points: that of the mean variance along the segment.
         const double weight = 1.0 / meanVariance(seen, noise);
-        const double slope = moments.count < kScatterPoints ? 0.0 : likeliestSlope(line, seen, noise);
+        const double slope = moments.count <= kFewPoints ? 0.0 : likeliestSlope(line, seen, noise);
         const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
         segment.directionU = cosine * (line.directionU + slope * line.normalU());
         segment.directionV = cosine * (line.directionV + slope * line.normalV());
@@ -182,6 +219,16 @@ void StatisticsExtractor::describe(const LinePiece& piece, const NoiseParameters
         segment.start = startAlong - t;
         segment.end = endAlong - t;
     }
+}
+
+void StatisticsExtractor::describe(const LinePiece& piece, const NoiseParameters& noise,
+                                   SegmentStatistics& segment) const
+{
+    segment.firstBeam = points_.beam(piece.first);
+    segment.lastBeam = points_.beam(piece.last);
+    segment.points = static_cast<int>(piece.moments.count);
+    if (!describeByRays(piece, noise, segment))
+        describeByMoments(piece, noise, segment);
     // A line that explains its points badly holds strangers: it shall not pull at the plane with its full weight.
     const double freedom = std::max(1.0, static_cast<double>(segment.points) - 2.0);
     if (segment.chi > freedom + 4.0 * std::sqrt(2.0 * freedom)) {

@@ -40,6 +40,8 @@ private:
     void clip(LinePiece& piece, const NoiseParameters& noise) const;
     bool belongTogether(const LinePiece& left, const LinePiece& right, const Parameters& parameters, double bearingStep,
                         LinePiece& together) const;
+    bool describeByRays(const LinePiece& piece, const NoiseParameters& noise, SegmentStatistics& segment) const;
+    void describeByMoments(const LinePiece& piece, const NoiseParameters& noise, SegmentStatistics& segment) const;
     void describe(const LinePiece& piece, const NoiseParameters& noise, SegmentStatistics& segment) const;
 
     BeamPoints points_;
