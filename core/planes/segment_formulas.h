@@ -82,9 +82,6 @@ PLANEWRIGHT_FORMULA void takeRow(const PlaneInSliceOf<Number>& seen, const Segme
     row.pitchSlope = seen.pitch.u * s.directionU + seen.pitch.v * s.directionV;
 }
 
-/// Extent across the ray, in standard deviations of a range, below which it is noise that directs a segment's line.
-inline constexpr double kDirectedSigmas = 2.0;
-
 /// Noise directs the line where `aside` is less than `least`, both squared [m⁴]: the points are noisier than they are
 /// apart.
 PLANEWRIGHT_FORMULA void takeExtent(const SegmentNumbers<Number>& s, const NoiseParameters& noise, Number& aside,

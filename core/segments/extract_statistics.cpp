@@ -109,7 +109,8 @@ bool StatisticsExtractor::belongTogether(const LinePiece& left, const LinePiece&
     return isOneLine(together.moments.count, together.line.across, apart, together.variance);
 }
 
-/// Few points, by their rays. False where these do not tell a line, or are not of one weight.
+/// Few points, by their rays. False where these do not tell a line, are noisier than they are apart, or are not of one
+/// weight.
 bool StatisticsExtractor::describeByRays(const LinePiece& piece, const NoiseParameters& noise,
                                          SegmentStatistics& segment) const
 {
@@ -123,7 +124,10 @@ bool StatisticsExtractor::describeByRays(const LinePiece& piece, const NoisePara
         nearest = std::min(nearest, points_.range(i));
         farthest = std::max(farthest, points_.range(i));
     }
-    if (farthest >= kOneWeightRatio * nearest)
+    const SlicePoint& first = points.front();
+    const SlicePoint& last = points[static_cast<std::size_t>(piece.points() - 1)];
+    const double aside = (first.u * last.v - first.v * last.u) / farthest;
+    if (farthest >= kOneWeightRatio * nearest || square(aside) < square(kDirectedSigmas) * noise.rangeVariance(farthest))
         return false;
     const auto count = static_cast<std::size_t>(piece.points());
     const std::optional<LineOfRays> line = lineOfRays(std::span(points).first(count));

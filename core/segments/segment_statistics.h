@@ -3,9 +3,10 @@
 
 #pragma once
 
-#include <vector>
-
 namespace planewright {
+
+/// Extent across the ray, in standard deviations of a range, below which it is noise that directs a segment's line.
+inline constexpr double kDirectedSigmas = 2.0;
 
 /// What the scan points of a line segment leave behind: all that a likelihood needs to know of them.
 ///
