@@ -127,7 +127,8 @@ bool StatisticsExtractor::describeByRays(const LinePiece& piece, const NoisePara
     const SlicePoint& first = points.front();
     const SlicePoint& last = points[static_cast<std::size_t>(piece.points() - 1)];
     const double aside = (first.u * last.v - first.v * last.u) / farthest;
-    if (farthest >= kOneWeightRatio * nearest || square(aside) < square(kDirectedSigmas) * noise.rangeVariance(farthest))
+    if (farthest >= kOneWeightRatio * nearest ||
+        square(aside) < square(kDirectedSigmas) * noise.rangeVariance(farthest))
         return false;
     const auto count = static_cast<std::size_t>(piece.points());
     const std::optional<LineOfRays> line = lineOfRays(std::span(points).first(count));

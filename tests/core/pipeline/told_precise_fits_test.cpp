@@ -37,9 +37,8 @@ double parallelChi(const LikeliestPlane& plane, const Snapshot& before, double k
         if (variance >= knownAngle * knownAngle || except.count(known->id) > 0)
             continue;
         const Eigen::Vector2d apart = plane.tangents.transpose() * known->normal;
-        const Eigen::Matrix2d covariance =
-            plane.covariance.topLeftCorner<2, 2>() +
-            (variance + parallelAngle * parallelAngle) * Eigen::Matrix2d::Identity();
+        const Eigen::Matrix2d covariance = plane.covariance.topLeftCorner<2, 2>() +
+                                           (variance + parallelAngle * parallelAngle) * Eigen::Matrix2d::Identity();
         least = std::min(least, apart.dot(covariance.inverse() * apart));
     }
     return least;

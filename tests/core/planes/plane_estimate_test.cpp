@@ -104,6 +104,7 @@ private slots:
     void covarianceIsHonestWithCommonPitchErrors();
     void ownPitchErrorsOfPointsWeighLess();
     void fewPointsThatNoiseDirectsWeighAsOnThePlane();
+    void anErrorThatAllShareWidensTheCovariance();
     void joinChiHasItsExpectation();
     void aLimitOnlyEndsTheWorkEarly();
     void aSegmentOffThePlaneDoesNotJoin();
@@ -294,6 +295,23 @@ void PlaneEstimateTest::fewPointsThatNoiseDirectsWeighAsOnThePlane()
     // On the wall, but for the slope: inclination cos 2°, variance that of the wall, 1 / (4/0.03² · 1e-3).
     const double expected = std::pow(std::cos(degrees(2.0)), 2) * 4.0 / (0.03 * 0.03) * 1e-3;
     QVERIFY2(std::abs(chi - expected) < 1e-9, qPrintable(QString::number(chi)));
+}
+
+void PlaneEstimateTest::anErrorThatAllShareWidensTheCovariance()
+{
+    NoddingScan scan;
+    scan.nod(8, {kWall});
+    PlaneEstimate estimate = solvedFrom(PlaneEstimate(kWall.normal, kWall.distance), scan.column(0, 0, 7), scan.map,
+                                        scan.parameters.noise, 0.0);
+    const Eigen::Matrix3d before = estimate.covariance();
+    const Eigen::Vector3d change{0.01, -0.02, 0.005};
+
+    estimate.addCommonError(before.inverse() * change);
+
+    const Eigen::Matrix3d grown = before + change * change.transpose();
+    QVERIFY(estimate.covariance().isApprox(grown, 1e-9));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> angles(grown.topLeftCorner<2, 2>());
+    QVERIFY(std::abs(estimate.normalVariance() / angles.eigenvalues()[1] - 1.0) < 1e-9);
 }
 
 void PlaneEstimateTest::joinChiHasItsExpectation()

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
 #include <vector>
 
 #include <QtTest>
@@ -51,6 +52,15 @@ struct FarFloor {
     }
 };
 
+/// Covariance of normal and distance in space, whatever the tangents.
+Eigen::Matrix4d inSpace(const PlaneEstimate& estimate)
+{
+    Eigen::Matrix<double, 4, 3> frame = Eigen::Matrix<double, 4, 3>::Zero();
+    frame.topLeftCorner<3, 2>() = estimate.tangents();
+    frame(3, 2) = 1.0;
+    return frame * estimate.covariance() * frame.transpose();
+}
+
 }  // namespace
 
 class RefineTracksTest : public QObject {
@@ -62,6 +72,7 @@ private slots:
     void lastFitIsPublished();
     void segmentsOfASliceThatContradictEachOtherDoNotBothCount();
     void segmentsOfASliceThatAreOffAlikeAllCount();
+    void whatAllBordersMayBeOffIsInTheCovariance();
 };
 
 void RefineTracksTest::lastFitIsWithoutSegmentsBeyondTheGate()
@@ -130,6 +141,54 @@ void RefineTracksTest::segmentsOfASliceThatAreOffAlikeAllCount()
     const PlaneTrack& plane = floor.refined();
     QCOMPARE(plane.fitted, 30);
     QCOMPARE(plane.members.size(), std::size_t{30});
+}
+
+void RefineTracksTest::whatAllBordersMayBeOffIsInTheCovariance()
+{
+    // A jamb of six beams, and what its plane moves by where each slice's last, or first, point is off by a third of
+    // its standard deviation.
+    const Surface jamb{kWall.normal, kWall.distance, 357, 362};
+    constexpr double kOff = 2.0 / 6.0;
+    NoddingScan scan;
+    scan.parameters.noise.rangeConstant = 0.001;
+    scan.parameters.noise.rangeProportional = 0.0;
+    scan.nod(12, {jamb});
+    const PlaneEstimate start(jamb.normal, jamb.distance);
+    const Numbers members = scan.column(0, 0, 11);
+    const auto movedWith = [&](bool last) {
+        NoddingScan off;
+        off.parameters = scan.parameters;
+        for (int place = 0; place < 12; ++place) {
+            const double tilt = degrees(85.0) + place * kTiltStep;
+            std::vector<Eigen::Vector2d> points = pointsOf(jamb, tilt);
+            const Eigen::Vector2d along = traceOf(jamb.normal, jamb.distance, frameOf(tilt, kSensor)).direction();
+            const double sigma = std::sqrt(6.0 / scan.map.segment(place).statistics.offsetInformation);
+            (last ? points.back() : points.front()) += kOff * sigma * Eigen::Vector2d{-along.y(), along.x()};
+            off.add(tilt, {statisticsOf(points, jamb.firstBeam, scan.parameters.noise)});
+        }
+        const PlaneEstimate moved = solvedFrom(start, members, off.map, scan.parameters.noise, 0.0);
+        Eigen::Vector4d change;
+        change << moved.normal() - jamb.normal, moved.distance() - jamb.distance;
+        return change;
+    };
+
+    const PlaneId id = scan.makePlane(members, jamb);
+    const Eigen::Matrix4d ofNoise = inSpace(solvedFrom(start, members, scan.map, scan.parameters.noise, 0.0));
+    refineTracks(scan.map, scan.parameters);
+    const Eigen::Matrix4d told = inSpace(scan.map.plane(id).estimate);
+
+    const Eigen::Vector4d byLast = movedWith(true);
+    const Eigen::Vector4d byFirst = movedWith(false);
+    const Eigen::Matrix4d expected = ofNoise + byLast * byLast.transpose() + byFirst * byFirst.transpose();
+    QVERIFY((told - expected).norm() < 0.06 * (expected - ofNoise).norm());
+
+    // Ends beyond which something clearly farther follows are no borders.
+    for (const SegmentNumber number : members) {
+        scan.map.segment(number).statistics.startsFree = true;
+        scan.map.segment(number).statistics.endsFree = true;
+    }
+    refineTracks(scan.map, scan.parameters);
+    QVERIFY((inSpace(scan.map.plane(id).estimate) - ofNoise).norm() < 1e-6 * ofNoise.norm());
 }
 
 }  // namespace planewright
