@@ -111,6 +111,8 @@ Result<CloudRecording> recordingOf(CloudScan cloud, const std::string& place)
                         " mm on each. Give slices that are planar rows through one axis of the scanner, seen from the "
                         "scanner at the origin, as they were measured");
     ScanDescription& description = made.recording.description;
+    if (description.beamTable && description.beamTable->imageTilt)
+        description.scanner = "depth camera, " + description.scanner;
     description.extra = {
         {"recovered_axis", axisText(description.attitude * Eigen::Vector3d::UnitX())},
         {"recovered_beams", std::string{beamsText(description)}},

@@ -63,6 +63,15 @@ const std::vector<Preset>& sensorPresets()
           {"noise.bearing", "0.02"},
           {"noise.pitch", "0.1"},
           {"noise.systematic", "0.0015"}}},
+        // Depths come in steps that grow with their square, 75 mm at 5 m: what is off is off alike for all of a
+        // surface.
+        {"depth-camera",
+         "depth camera of structured light (Kinect, Xtion), 5 m",
+         {{"noise.range-constant", "0.002"},
+          {"noise.range-proportional", "0.003"},
+          {"noise.bearing", "0.02"},
+          {"noise.pitch", "0.01"},
+          {"noise.systematic", "0.01"}}},
     };
     return presets;
 }
@@ -76,7 +85,7 @@ const Preset* findPreset(const std::vector<Preset>& presets, std::string_view na
 const Preset* sensorOfScanner(std::string_view scanner)
 {
     // Beginnings of the names that scanners and recordings give, in capitals and without blanks and signs.
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kKnown{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kKnown{{
         {"HOKUYOUTM30LX", "utm-30lx"},
         {"UTM30LX", "utm-30lx"},
         {"HOKUYOUST20LX", "ust-20lx"},
@@ -85,6 +94,7 @@ const Preset* sensorOfScanner(std::string_view scanner)
         {"URG04LX", "urg-04lx"},
         {"SICKLMS", "sick-lms200"},
         {"LMS2", "sick-lms200"},
+        {"DEPTHCAMERA", "depth-camera"},
     }};
     std::string plain;
     for (const char c : scanner) {

@@ -111,8 +111,8 @@ void CliParameterOptionsTest::wrongValuesNameWhatIsAllowed_data()
     QTest::newRow("preset") << QStringList{"--preset", "none"} << 2
                             << "--preset: 'none' is neither a known name (precise, paper) nor a file";
     QTest::newRow("sensor") << QStringList{"--sensor", "none"} << 2
-                            << "--sensor: 'none' is neither a known name (utm-30lx, ust-20lx, urg-04lx, sick-lms200) "
-                               "nor a file";
+                            << "--sensor: 'none' is neither a known name (utm-30lx, ust-20lx, urg-04lx, sick-lms200, "
+                               "depth-camera) nor a file";
     QTest::newRow("key") << QStringList{"-P", "segments.min-lenght=1"} << 2
                          << "-P: there is no parameter 'segments.min-lenght'; did you mean segments.min-length? "
                             "'planewright-cli params' lists all";

@@ -335,6 +335,7 @@ void CloudsTest::theOfficeIsRecoveredToTheRoundingOfItsRanges()
     QVERIFY(std::abs(made->rmsOff - 1e-3 / std::sqrt(12.0)) < 2e-6);
     const auto table = made->recording.description.beamTable;
     QVERIFY(table && table->imageTilt);
+    QCOMPARE(made->recording.description.scanner, std::string("depth camera, PCD cloud"));
 }
 
 void CloudsTest::aRecordingOfACloudComesBackAsItWas()

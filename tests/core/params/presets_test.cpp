@@ -96,6 +96,7 @@ void PresetsTest::aScannerIsKnownByTheNamesItGives_data()
     QTest::newRow("Hokuyo URG-04LX-UG01") << "urg-04lx";
     QTest::newRow("UST-20LX") << "ust-20lx";
     QTest::newRow("Hokuyo UST-20LX") << "ust-20lx";
+    QTest::newRow("depth camera, PCD cloud") << "depth-camera";
     QTest::newRow("RPLIDAR A1") << "";
     QTest::newRow("30LX") << "";
     QTest::newRow("not a UTM-30LX") << "";
