@@ -12,18 +12,31 @@ namespace {
 
 constexpr int kLookForQuestions = 20;  // [ms]
 
-}  // namespace
-
-void ask(QDialog* dialog)
+/// False where one of its name is open already: then the new one is gone.
+bool isOnly(QDialog* dialog)
 {
     for (const QWidget* other : QApplication::topLevelWidgets()) {
         if (other != dialog && other->isVisible() && other->objectName() == dialog->objectName()) {
             delete dialog;
-            return;
+            return false;
         }
     }
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
+    return true;
+}
+
+}  // namespace
+
+void ask(QDialog* dialog)
+{
+    if (isOnly(dialog))
+        dialog->open();
+}
+
+void askBeside(QDialog* dialog)
+{
+    if (isOnly(dialog))
+        dialog->show();
 }
 
 QWidget* openDialog()

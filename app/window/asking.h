@@ -14,6 +14,9 @@ namespace planewright {
 /// already, that stays and the new one goes.
 void ask(QDialog* dialog);
 
+/// The same for one beside which the window can be used.
+void askBeside(QDialog* dialog);
+
 /// The dialog that has to be left before anything else of the window can be used; null without one.
 QWidget* openDialog();
 

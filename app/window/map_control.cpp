@@ -198,6 +198,8 @@ void MapControl::refreshActions()
 void MapControl::show(bool on)
 {
     if (!on) {
+        if (auto* placing = parts_.window->findChild<PlaceDialog*>(QStringLiteral("floorDialog")))
+            placing->reject();
         worker_.cancel();
         panel_->setIdle();
         parts_.window->showMapMode(false);

@@ -20,6 +20,8 @@
 
 namespace planewright {
 
+class PlaceDialog;
+
 /// Makes one map of all scans of the file and shows it in the place of the scan, with what the operator says of stops
 /// and matches: edits of the file, in one line of undo with those of planes.
 class MapControl : public QObject {
@@ -47,6 +49,7 @@ private:
     void move(int scan, int by);
     void askOdometry(int scan);
     void askFloor(int number);
+    void showHandles(const MappedFloor& floor, const Pose& there, PlaceDialog* dialog);
     bool isPlacedByHand(int floor) const;
     void match(int row, const std::optional<SeenPlane>& as);
     /// A sighting of a plane of the map by another stop than the one that saw `own`.

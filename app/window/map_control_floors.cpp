@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,48 @@ std::pair<Pose, QString> snapped(const MappedFloor& floor, const MappedFloor& ot
     return {snap->motion * place, text};
 }
 
+/// Of a floor as it stands: its upright planes, and handles around its middle.
+PlacedShape shapeOf(const MappedFloor& floor)
+{
+    constexpr double kUpright = 0.3;       // |n·z| at most
+    constexpr double kRingOverSize = 0.3;  // radius, of the floor's longer side
+    PlacedShape shape;
+    Eigen::AlignedBox3d bounds;
+    for (const FacedPlane& plane : facedPlanes(floor.builder.map(), floor.frame)) {
+        for (const Outline::Polygon& part : plane.parts) {
+            for (const Eigen::Vector3d& corner : part.ring)
+                bounds.extend(corner);
+            if (std::abs(plane.normal.z()) < kUpright)
+                shape.rings.push_back(part.ring);
+        }
+    }
+    if (bounds.isEmpty())
+        return shape;
+    shape.middle = bounds.center();
+    shape.radius = std::max(1.0, kRingOverSize * bounds.sizes().head<2>().maxCoeff());
+    return shape;
+}
+
 }  // namespace
+
+/// In the view the floor has handles while its dialog is open: what one moves the other shows.
+void MapControl::showHandles(const MappedFloor& floor, const Pose& there, PlaceDialog* dialog)
+{
+    View3d& view = parts_.window->mapView();
+    const PlacedShape before = shapeOf(floor);
+    const auto follow = [&view, dialog, before, back = there.inverse()] {
+        view.setPlaced(moved(before, dialog->pose() * back));
+    };
+    follow();
+    connect(dialog, &PlaceDialog::placeChanged, &view, follow);
+    const auto taken = std::make_shared<Pose>(there);
+    connect(&view, &View3d::handleTaken, dialog, [dialog, taken] { *taken = dialog->pose(); });
+    connect(&view, &View3d::handleMoved, dialog,
+            [dialog, taken](const Pose& motion) { dialog->setPlace(motion * *taken); });
+    connect(dialog, &QDialog::finished, &view, [&view] { view.setPlaced(std::nullopt); });
+    // A map that is made anew has other floors.
+    connect(&worker_, &BuildingWorker::made, dialog, &QDialog::reject);
+}
 
 void MapControl::askFloor(int number)
 {
@@ -67,7 +109,11 @@ void MapControl::askFloor(int number)
         placed.place = dialog->place();
         edit(placed);
     });
-    ask(dialog);
+    dialog->explain(
+        tr("Or drag the handles in the view: the middle shifts the floor, the knob on the ring turns it, "
+           "the arrow raises it."));
+    showHandles(*floor, there, dialog);
+    askBeside(dialog);
 }
 
 bool MapControl::isPlacedByHand(int floor) const

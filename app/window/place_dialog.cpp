@@ -71,7 +71,24 @@ PlaceDialog::PlaceDialog(const Words& words, const std::optional<Pose>& known, c
         heading_->setEnabled(on);
     };
     connect(isKnown_, &QCheckBox::toggled, this, refresh);
+    connect(isKnown_, &QCheckBox::toggled, this, &PlaceDialog::placeChanged);
+    for (QDoubleSpinBox* field : {place_[0], place_[1], place_[2], heading_})
+        connect(field, &QDoubleSpinBox::valueChanged, this, &PlaceDialog::placeChanged);
     refresh(known.has_value());
+}
+
+void PlaceDialog::explain(const QString& text)
+{
+    auto* said = new QLabel(text, this);
+    said->setWordWrap(true);
+    said->setMinimumWidth(kSaidWidth);
+    form_->insertRow(form_->rowCount() - 1, said);
+}
+
+void PlaceDialog::setPlace(const Pose& pose)
+{
+    isKnown_->setChecked(true);
+    show(pose);
 }
 
 void PlaceDialog::offerToFit(const QString& text, std::function<std::pair<Pose, QString>(const Pose&)> fit)
@@ -86,9 +103,8 @@ void PlaceDialog::offerToFit(const QString& text, std::function<std::pair<Pose, 
     form_->insertRow(form_->rowCount() - 1, button);
     form_->insertRow(form_->rowCount() - 1, said);
     connect(button, &QPushButton::clicked, this, [this, said, fit = std::move(fit)] {
-        isKnown_->setChecked(true);
         const auto [fitted, words] = fit(pose());
-        show(fitted);
+        setPlace(fitted);
         said->setText(words);
         said->show();
         adjustSize();

@@ -33,10 +33,20 @@ public:
     /// Offers to move a place to where it fits better; a place and what is to be said of it come back.
     void offerToFit(const QString& text, std::function<std::pair<Pose, QString>(const Pose&)> fit);
 
+    /// Says how else it may be placed.
+    void explain(const QString& text);
+
     std::optional<Pose> place() const;
+    /// What the numbers say, whether it counts or not.
+    Pose pose() const;
+    /// Places it there.
+    void setPlace(const Pose& pose);
+
+signals:
+    /// By whatever means, also when it counts no more.
+    void placeChanged();
 
 private:
-    Pose pose() const;
     void show(const Pose& pose);
 
     QString name_;

@@ -12,6 +12,7 @@
 #include "ui/scene/map_scene.h"
 #include "ui/scene/scene_pick.h"
 #include "ui/view3d/overlay_painter.h"
+#include "ui/view3d/place_handles.h"
 #include "ui/view3d/presenter.h"
 #include "ui/view3d/walk_keys.h"
 
@@ -22,7 +23,7 @@ class OverlayWidget;
 /// The 3D view: shows a map, lets one look around in it and choose in it.
 ///
 /// Left drag rotates about what is under the pointer, middle or Shift with left shifts, the wheel zooms to the pointer,
-/// a double click centres. A click selects, with Ctrl adds.
+/// a double click centres. A click selects, with Ctrl adds. What is being placed has handles, which left drag moves.
 class View3d : public QWidget {
     Q_OBJECT
 
@@ -66,6 +67,10 @@ public:
     /// While this is on, a click gives pointPicked() and selects nothing.
     void setMeasuring(bool on);
 
+    /// Shows something that is being placed, with handles to move it; none shows none.
+    void setPlaced(const std::optional<PlacedShape>& shape);
+    const PlaceHandles& handles() const { return handles_; }
+
     /// The view at any size, with what is written over it [pixels].
     QImage picture(QSize size, double pixelRatio);
 
@@ -77,6 +82,9 @@ signals:
     /// By itself the camera went to where all of the scan is in sight.
     void cameraFitted();
     void clipBoxChanged();
+    /// Somebody takes hold of a handle of what is being placed, and moves it so since then.
+    void handleTaken();
+    void handleMoved(const planewright::Pose& motion);
     void pointerMoved(const std::optional<Eigen::Vector3d>& place);
 
 protected:
@@ -92,7 +100,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    enum class Drag { None, Rotate, Pan };
+    enum class Drag { None, Rotate, Pan, Handle };
 
     double aspect() const;
     Eigen::Vector2d inPicture(const QPointF& place) const;
@@ -109,6 +117,7 @@ private:
     PresenterSettings presented_;
     OverlayWidget* glass_;
     OverlayContent overlay_;
+    PlaceHandles handles_;
     Drag drag_ = Drag::None;
     bool dragged_ = false;
     QPointF pressed_;

@@ -39,6 +39,7 @@ private slots:
     void stopsAreReordered();
     void odometryIsTypedIn();
     void aFloorSnapsToTheWallsBelow();
+    void aFloorIsPlacedByItsHandles();
     void theSliderShowsTheMapAsItWas();
     void aClickChoosesAPlaneAndItsMatch();
     void colouringsHaveLegends();
@@ -53,6 +54,7 @@ private:
     bool settle() { return waitForRest(*parts_, kPatience).has_value(); }
     void openBuilding();
     void showMap();
+    void openFloors();
     const std::shared_ptr<const BuiltMap>& map() { return shown_->controllers->map.map(); }
     const ShownBuilding& building() { return *map()->shown->building; }
     MapPanel& panel() { return *parts_->window->findChild<MapPanel*>(QStringLiteral("mapPanel")); }
@@ -137,6 +139,16 @@ int MapWindowTest::matchedRow()
             return row;
     }
     return -1;
+}
+
+/// The map of two floors.
+void MapWindowTest::openFloors()
+{
+    QVERIFY(runCli({"simulate", "building", "--floors", "2", "--stops", "24", "--seed", "4", "--overwrite", "-o",
+                    "floors.pwscan", "--truth-poses", "truth.txt"}));
+    file_ = folder_.filePath(QStringLiteral("floors.pwscan"));
+    showMap();
+    QCOMPARE(building().floors.size(), std::size_t(2));
 }
 
 void MapWindowTest::aFileOfSeveralScansOffersItsMap()
@@ -262,11 +274,7 @@ void MapWindowTest::odometryIsTypedIn()
 
 void MapWindowTest::aFloorSnapsToTheWallsBelow()
 {
-    QVERIFY(runCli({"simulate", "building", "--floors", "2", "--stops", "24", "--seed", "4", "--overwrite", "-o",
-                    "floors.pwscan", "--truth-poses", "truth.txt"}));
-    file_ = folder_.filePath(QStringLiteral("floors.pwscan"));
-    showMap();
-    QCOMPARE(building().floors.size(), std::size_t(2));
+    openFloors();
     const MappedFloor before = map()->floors[1];
     find<QComboBox>("planFloor")->setCurrentText(QStringLiteral("1"));
 
@@ -299,6 +307,53 @@ void MapWindowTest::aFloorSnapsToTheWallsBelow()
     shown_->action("actUndo")->trigger();
     QVERIFY(settle());
     QVERIFY((map()->floors[1].frame.translation - before.frame.translation).norm() < 1e-12);
+}
+
+void MapWindowTest::aFloorIsPlacedByItsHandles()
+{
+    openFloors();
+    View3d& view = parts_->window->mapView();
+    find<QComboBox>("planFloor")->setCurrentText(QStringLiteral("1"));
+    QTest::mouseClick(find<QPushButton>("placeFloor"), Qt::LeftButton);
+    auto* dialog = parts_->window->findChild<PlaceDialog*>(QStringLiteral("floorDialog"));
+    QVERIFY(dialog != nullptr);
+    const Pose before = dialog->pose();
+    QVERIFY(view.handles().shape().has_value());
+    const Eigen::Vector3d middle = view.handles().shape()->middle;
+
+    // 80 pixels to the right from above.
+    view.showNamed(NamedView::Top);
+    const Eigen::Vector3d seen = projected(view.camera(), middle);
+    const QPoint at(static_cast<int>(std::lround(view.width() / 2.0 + seen.x() * view.height())),
+                    static_cast<int>(std::lround(view.height() / 2.0 - seen.y() * view.height())));
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    QTest::mouseMove(&view, at + QPoint(40, 0));
+    QTest::mouseMove(&view, at + QPoint(80, 0));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at + QPoint(80, 0));
+
+    QVERIFY(dialog->place().has_value());
+    const Eigen::Vector3d shift = dialog->pose().translation - before.translation;
+    QVERIFY(shift.dot(view.camera().right()) > 0.5);
+    QVERIFY(std::abs(shift.z()) < 1e-9 && std::abs(shift.dot(view.camera().up())) < 0.1);
+    QVERIFY((view.handles().shape()->middle - middle - shift).norm() < 2e-3);
+
+    // Numbers move the handles.
+    dialog->findChild<QDoubleSpinBox*>(QStringLiteral("floorZ"))->setValue(before.translation.z() + 0.25);
+    QVERIFY(std::abs(view.handles().shape()->middle.z() - middle.z() - 0.25) < 2e-3);
+    const Pose place = dialog->pose();
+    dialog->accept();
+    QVERIFY(settle());
+
+    QVERIFY(!view.handles().shape().has_value());
+    const MappedFloor& after = map()->floors[1];
+    const Pose stop = after.frame * after.builder.map().stops.front().pose;
+    QVERIFY((stop.translation - place.translation).norm() < 1e-9);
+
+    // Leaving the map ends it.
+    QTest::mouseClick(find<QPushButton>("placeFloor"), Qt::LeftButton);
+    QVERIFY(view.handles().shape().has_value());
+    QTest::mouseClick(find<QPushButton>("mapClose"), Qt::LeftButton);
+    QVERIFY(!view.handles().shape().has_value());
 }
 
 void MapWindowTest::theSliderShowsTheMapAsItWas()
@@ -381,17 +436,28 @@ void MapWindowTest::cancellingGoesBackToTheScan()
 void MapWindowTest::itLooksAsItDid_data()
 {
     QTest::addColumn<bool>("dark");
-    QTest::newRow("window-map-light") << false;
-    QTest::newRow("window-map-dark") << true;
+    QTest::addColumn<bool>("floors");
+    QTest::newRow("window-map-light") << false << false;
+    QTest::newRow("window-map-dark") << true << false;
+    QTest::newRow("window-floors-light") << false << true;
+    QTest::newRow("window-floors-dark") << true << true;
 }
 
 void MapWindowTest::itLooksAsItDid()
 {
     QFETCH(bool, dark);
+    QFETCH(bool, floors);
     parts_->preferences.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
     emit parts_->preferencesChanged();
     parts_->window->resize(1440, 900);
-    showMap();
+    if (floors) {
+        openFloors();
+        find<QComboBox>("mapColourBy")->setCurrentIndex(static_cast<int>(MapColourBy::Floor));
+        find<QComboBox>("planFloor")->setCurrentText(QStringLiteral("1"));
+        QTest::mouseClick(find<QPushButton>("placeFloor"), Qt::LeftButton);
+    } else {
+        showMap();
+    }
     for (const char* item : {"stDevice", "stStep", "stQueue", "stRec", "stMessage"})
         parts_->window->setStatus(QLatin1String(item), QLatin1String(item));
     parts_->window->banner().hide();

@@ -27,6 +27,7 @@ private slots:
     void aClickSelectsThePlaneUnderThePointer();
     void aDragIsNoClick();
     void controlClickAdds();
+    void aHandleIsDraggedAndTheCameraStays();
     void aDoubleClickCentres();
     void measuringGivesThePointUnderThePointer();
     void walkModeTakesItsKeys();
@@ -155,6 +156,32 @@ void View3dTest::aDragIsNoClick()
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, kMiddle + QPoint(40, 0));
 
     QCOMPARE(clicked.count(), 0);
+}
+
+void View3dTest::aHandleIsDraggedAndTheCameraStays()
+{
+    view_->showNamed(NamedView::Top);
+    const ViewCamera before = view_->camera();
+    PlacedShape shape;
+    shape.middle = before.target;
+    view_->setPlaced(shape);
+    QSignalSpy taken(view_.get(), &View3d::handleTaken);
+    QSignalSpy moves(view_.get(), &View3d::handleMoved);
+    QSignalSpy clicks(view_.get(), &View3d::clicked);
+
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, kMiddle);
+    QTest::mouseMove(view_.get(), kMiddle + QPoint(30, 0));
+    QTest::mouseMove(view_.get(), kMiddle + QPoint(60, 0));
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, kMiddle + QPoint(60, 0));
+
+    QCOMPARE(taken.size(), 1);
+    QVERIFY(!moves.isEmpty());
+    const Pose motion = moves.last().at(0).value<Pose>();
+    // 60 of 600 pixels to the right.
+    QVERIFY((motion.translation - 0.1 * before.heightAtTarget() * before.right()).norm() < 1e-6);
+    QVERIFY(view_->camera() == before);
+    QVERIFY(clicks.isEmpty());
+    QVERIFY(!view_->handles().held());
 }
 
 void View3dTest::controlClickAdds()
