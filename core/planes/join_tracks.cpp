@@ -16,6 +16,8 @@ namespace {
 
 /// Slices after which a plane that met no segment is out of sight.
 constexpr int kSightSlices = 8;
+/// χ² (2 degrees of freedom) up to which a plane counts as parallel to another: 99 %.
+constexpr double kSameDirection = 9.2;
 /// A χ² so small that no other plane needs to be looked at.
 constexpr double kCertain = 4.0;
 
@@ -80,7 +82,7 @@ bool turnsParallel(PlaneTrack& plane, SegmentNumber number, TrackMap& map, const
     const SegmentStatistics* const one = &map.segment(number).statistics;
     joined.accumulate(map.seenIn(plane, map.segment(number).slice), std::span{&one, 1}, parameters.noise,
                       parameters.noise.systematic, 1.0);
-    return joined.solve() && isSurelyParallel(joined, map, {plane.id});
+    return joined.solve() && parallelChi(joined, map, kSurelyParallel, kSurelyParallel, plane.id) < kSameDirection;
 }
 
 /// Whether a plane tells where a segment that it does not face must be: as well as the segment itself does. Where it

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/planes/parallel_planes.h"
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
 
@@ -21,9 +20,6 @@ constexpr double kAlignment = 0.9;
 constexpr int kSideMargin = 20;
 /// By how much worse one plane may explain the segments of two that scatter than each of these explains its own.
 constexpr double kWorse = 1.6;
-/// Standard deviation to which one of two planes that are apart must tell the other's place [m]: less than surfaces
-/// that are nearly one plane are apart.
-constexpr double kToldPlace = 0.005;
 /// Pairs are looked at more closely, and told as nearly merged, up to this many times the gate.
 constexpr double kNearGates = 4.0;
 
@@ -60,46 +56,16 @@ std::vector<SegmentNumber> membersOf(const PlaneTrack& a, const PlaneTrack& b)
     return all;
 }
 
-/// The plane that two are together; nothing where their segments do not determine one.
-std::optional<PlaneTrack> asOne(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters)
-{
-    PlaneTrack both = a.points >= b.points ? a : b;
-    both.members = membersOf(a, b);
-    if (!map.rebuild(both, parameters))
-        return std::nullopt;
-    return both;
-}
-
-Eigen::Vector3d middleOf(const PlaneTrack& plane, const TrackMap& map)
-{
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const SegmentNumber number : plane.members)
-        sum += map.centroid(number);
-    return sum / static_cast<double>(plane.members.size());
-}
-
-/// Whether one of two planes that are apart tells where the other must be. Where neither does, both fit a plane that is
-/// turned a little, and together they seem to know its direction better than each does; then rooms must have planes of
-/// that direction. Where ranges err together, variances do not tell that.
-bool tellEachOther(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters)
-{
-    if (parameters.noise.systematic > 0.0 ||
-        std::min(a.estimate.varianceAt(middleOf(b, map)), b.estimate.varianceAt(middleOf(a, map))) <
-            kToldPlace * kToldPlace)
-        return true;
-    const std::optional<PlaneTrack> both = asOne(a, b, map, parameters);
-    return both && isSurelyParallel(both->estimate, map, {a.id, b.id});
-}
-
 /// By how much worse one plane explains the segments of two than each of these explains its own. Covariances of planes
 /// that scatter tell less: what surfaces and scanners are off is alike from slice to slice, and not by chance.
 double worseTogether(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters)
 {
-    const std::optional<PlaneTrack> both = asOne(a, b, map, parameters);
-    if (!both)
+    PlaneTrack both = a.points >= b.points ? a : b;
+    both.members = membersOf(a, b);
+    if (!map.rebuild(both, parameters))
         return kWorse;
     const auto weight = [](const PlaneTrack& plane) { return static_cast<double>(plane.members.size()); };
-    return meanErrorOf(*both) * weight(*both) / (scatterOf(a) * weight(a) + scatterOf(b) * weight(b));
+    return meanErrorOf(both) * weight(both) / (scatterOf(a) * weight(a) + scatterOf(b) * weight(b));
 }
 
 Test alignmentTest(const PlaneTrack& a, const PlaneTrack& b)
@@ -131,12 +97,11 @@ Nearness nearnessOf(const PlaneTrack& a, const PlaneTrack& b, const Parameters& 
 }
 
 /// Whether two planes are beside each other, or known so well that it does not matter.
-Test adjacencyTest(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters)
+Test adjacencyTest(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map, const Parameters& parameters)
 {
     const double known = parameters.likelihood.mergeAngle * parameters.likelihood.mergeAngle;
     const bool sharp = a.estimate.normalVariance() < known && b.estimate.normalVariance() < known;
-    const bool one = (sharp && tellEachOther(a, b, map, parameters)) || sideBySide(a, b, map);
-    return {"adjacent", one ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0};
+    return {"adjacent", sharp || sideBySide(a, b, map) ? 1.0 : 0.0, Comparison::GreaterEqual, 1.0};
 }
 
 /// Whether they are one: by their covariances, or, where segments scatter, by how well one explains those of both.

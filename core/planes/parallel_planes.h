@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <initializer_list>
-
 #include "core/planes/track_map.h"
 #include "core/types/angle.h"
 
@@ -12,19 +10,16 @@ namespace planewright {
 
 /// Planes of rooms are parallel to this angle [rad].
 inline constexpr double kParallel = degrees(0.5);
-/// Where that alone is to say that two surfaces are one plane: the jambs of two doors, 5 m apart, turn a plane that is
+/// Where that alone is to say that a segment afar is of a plane: the jambs of two doors 5 m apart turn a plane that is
 /// off by the depth of a frame by half a degree.
-inline constexpr double kSurelyParallel = degrees(0.1);
+inline constexpr double kSurelyParallel = degrees(0.2);
 /// The largest χ² that parallelChi gives: of a plane that is parallel to none.
 inline constexpr double kNoParallel = 13.8;
 
 /// χ² (2 degrees of freedom) of a plane's normal against that of the nearest plane whose own is known to an angle
 /// [rad], where planes are parallel to another [rad]: what speaks for a plane whose direction few segments tell. Planes
-/// of two segments and the planes `except` say nothing.
+/// of two segments and the plane `except` say nothing.
 double parallelChi(const PlaneEstimate& estimate, const TrackMap& map, double knownAngle, double parallelAngle,
-                   std::initializer_list<PlaneId> except = {});
-
-/// Whether a plane is parallel to one of the map other than `except`, as no plane of wrong segments would be by chance.
-bool isSurelyParallel(const PlaneEstimate& estimate, const TrackMap& map, std::initializer_list<PlaneId> except);
+                   PlaneId except = kNoPlane);
 
 }  // namespace planewright

@@ -25,36 +25,6 @@ double residualChi(const LineSegment& s, const LikeliestPlane& plane, double pit
     return residual.dot(covariance.inverse() * residual);
 }
 
-/// χ² of a plane's normal against the nearest of those that were known well before, but for two; 13.8 at most.
-double parallelChi(const LikeliestPlane& plane, const Snapshot& before, double knownAngle, double parallelAngle,
-                   std::set<PlaneId> except = {})
-{
-    double least = 13.8;
-    for (const auto& known : before.planes) {
-        const Eigen::Matrix3d own = known->covariance / std::max(1.0, known->fittingError);
-        const double variance =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(own.topLeftCorner<2, 2>()).eigenvalues()[1];
-        if (variance >= knownAngle * knownAngle || except.count(known->id) > 0)
-            continue;
-        const Eigen::Vector2d apart = plane.tangents.transpose() * known->normal;
-        const Eigen::Matrix2d covariance = plane.covariance.topLeftCorner<2, 2>() +
-                                           (variance + parallelAngle * parallelAngle) * Eigen::Matrix2d::Identity();
-        least = std::min(least, apart.dot(covariance.inverse() * apart));
-    }
-    return least;
-}
-
-/// Standard deviation to which a plane tells the place of another's middle.
-double toldPlace(const LikeliestPlane& plane, const PlaneSegments& other)
-{
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const LineSegment* s : other)
-        middle += s->moments.mean / static_cast<double>(other.size());
-    const Eigen::Vector2d turned = plane.tangents.transpose() * middle;
-    const Eigen::Vector3d row{turned.x(), turned.y(), -1.0};
-    return std::sqrt(row.dot(plane.covariance * row));
-}
-
 }  // namespace
 
 /// Planes of `precise` are made, and become one, for the numbers that their segments give on another way: the whole
@@ -133,8 +103,20 @@ void ToldPreciseFitsTest::pairsAreAsFlatAndParallelAsTold()
                 const Test& chi = testOf(decision.tests, "pair_chi2");
                 QVERIFY(recomputed.agree(phase, chi, plane.chi, p.joinGate, 0.05));
 
-                // Rooms are off by half a degree.
-                const double least = parallelChi(plane, *phase.before, p.knownAngle, degrees(0.5));
+                // Against each plane that was known well before, with half a degree of what rooms are off.
+                double least = 13.8;
+                for (const auto& known : phase.before->planes) {
+                    const Eigen::Matrix3d own = known->covariance / std::max(1.0, known->fittingError);
+                    const double variance =
+                        Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(own.topLeftCorner<2, 2>()).eigenvalues()[1];
+                    if (variance >= p.knownAngle * p.knownAngle)
+                        continue;
+                    const Eigen::Vector2d apart = plane.tangents.transpose() * known->normal;
+                    const Eigen::Matrix2d covariance =
+                        plane.covariance.topLeftCorner<2, 2>() +
+                        (variance + std::pow(degrees(0.5), 2)) * Eigen::Matrix2d::Identity();
+                    least = std::min(least, apart.dot(covariance.inverse() * apart));
+                }
                 const Test& parallel = testOf(decision.tests, "parallel_chi2");
                 // The normal is that of where the plane was linearised.
                 QVERIFY(recomputed.agree(phase, "parallel_chi2", parallel.limit, 13.8));
@@ -214,12 +196,7 @@ void ToldPreciseFitsTest::mergedPlanesAreOneAsTold()
             QVERIFY(recomputed.agree(phase, alignment, std::abs(a.normal.dot(b.normal)), 0.9, 1e-3));
             const double known = std::pow(p.likelihood.mergeAngle, 2);
             const bool sharp = a.normalVariance() < known && b.normalVariance() < known;
-            PlaneSegments both = ofA;
-            both.insert(both.end(), ofB.begin(), ofB.end());
-            const LikeliestPlane together(both, pitch, p.noise.systematic);
-            const double place = std::min(toldPlace(a, ofB), toldPlace(b, ofA));
-            const double parallel = parallelChi(together, *phase.before, degrees(0.1), degrees(0.1), {idA, idB});
-            const bool adjacent = (sharp && (place < 0.005 || parallel < 9.2)) || neighbours->sideBySide(ofA, ofB);
+            const bool adjacent = sharp || neighbours->sideBySide(ofA, ofB);
             QVERIFY(recomputed.agree(phase, testOf(decision.tests, "adjacent"), adjacent ? 1.0 : 0.0, 1.0));
             const Test& last = decision.tests.back();
             if (last.name == "merge_chi2") {
@@ -228,6 +205,9 @@ void ToldPreciseFitsTest::mergedPlanesAreOneAsTold()
                 const bool settled = std::max(a.normalVariance(), b.normalVariance()) < std::pow(degrees(1.5), 2);
                 QVERIFY(recomputed.agree(phase, last, chi, p.likelihood.mergeGate, settled ? 0.06 : 0.3));
             } else {
+                PlaneSegments both = ofA;
+                both.insert(both.end(), ofB.begin(), ofB.end());
+                const LikeliestPlane together(both, pitch, p.noise.systematic);
                 const auto weigh = [](const LikeliestPlane& plane) {
                     return std::max(1.0, plane.meanError()) * static_cast<double>(plane.segments);
                 };

@@ -87,7 +87,6 @@ private slots:
     void normalsMayPointEitherWay();
     void halvesAcrossAGapMergeWhereBothAreKnown_data();
     void halvesAcrossAGapMergeWhereBothAreKnown();
-    void stripsFarApartAreNoPlaneUnlessThereIsOneOfItsDirection();
     void twentyBeamsApartIsSideBySide();
     void piecesOfAWallBecomeOneInOneGo();
     void aMergedPlaneMeetsTheOnesBefore();
@@ -271,29 +270,6 @@ void MergeTracksTest::halvesAcrossAGapMergeWhereBothAreKnown()
         QCOMPARE(merging.nears().size(), std::size_t{1});
         QVERIFY((failed(merging.nears()[0].tests) == std::vector<std::string_view>{"adjacent"}));
     }
-}
-
-void MergeTracksTest::stripsFarApartAreNoPlaneUnlessThereIsOneOfItsDirection()
-{
-    // Two strips of 15 beams, 5 m apart: each knows its direction to half a degree, which is 4 cm at the other.
-    const Surface right = wallBy(200, 214);
-    const Surface left = wallBy(506, 520);
-    TrackMerging alone({right, left});
-    alone.scan.parameters.likelihood.mergeAngle = degrees(5.0);
-    QVERIFY(alone.mergeChi(0, 1) < alone.scan.parameters.likelihood.mergeGate);
-
-    alone.merge();
-
-    QCOMPARE(alone.scan.map.planes().size(), std::size_t{2});
-    QVERIFY((failed(alone.nears().at(0).tests) == std::vector<std::string_view>{"adjacent"}));
-
-    // A wall a metre behind them says that the room has planes of that direction.
-    TrackMerging before({right, wallBy(240, 480, 1.0), left});
-    before.scan.parameters.likelihood.mergeAngle = degrees(5.0);
-
-    before.merge();
-
-    QVERIFY((before.scan.planeIds() == Ids{0, 1}));
 }
 
 void MergeTracksTest::twentyBeamsApartIsSideBySide()
