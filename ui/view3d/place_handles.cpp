@@ -69,7 +69,7 @@ std::vector<Eigen::Vector3d> circleOf(const PlacedShape& shape)
     std::vector<Eigen::Vector3d> corners;
     for (int i = 0; i <= kRingCorners; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / kRingCorners;
-        corners.push_back(shape.middle + shape.radius * Eigen::Vector3d{std::cos(angle), std::sin(angle), 0.0});
+        corners.emplace_back(shape.middle + shape.radius * Eigen::Vector3d{std::cos(angle), std::sin(angle), 0.0});
     }
     return corners;
 }
