@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstdint>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -75,6 +79,7 @@ class ToldPreciseNumbersTest : public QObject {
 private slots:
     void segmentsJoinByTheirChiSquare_data() { scenes(); }
     void segmentsJoinByTheirChiSquare();
+    void segmentsMoveInTheLastPassByTheirChiSquare();
     void pairsNearlyMergeByTheirChiSquare();
     void unfoundedPlanesAreTooSmallOrMetTooShallow();
     void clusteredSegmentsAreAsSimilarAsTold_data() { scenes(); }
@@ -132,6 +137,40 @@ void ToldPreciseNumbersTest::segmentsJoinByTheirChiSquare()
     QVERIFY2(undirected * 20 < recomputed.counts["join_chi2"], qPrintable(QString::number(undirected)));
 }
 
+void ToldPreciseNumbersTest::segmentsMoveInTheLastPassByTheirChiSquare()
+{
+    Recomputed recomputed;
+    for (const auto& [scene, seed] :
+         {std::pair("office", 3), std::pair("office", 4), std::pair("stairs", 3), std::pair("clutter", 3),
+          std::pair("clutter", 4), std::pair("clutter", 5), std::pair("curved", 3), std::pair("hall", 3)}) {
+        const ToldScan scan("precise", scene, static_cast<std::uint64_t>(seed));
+        const double floor = scan.parameters.flatnessFloor();
+        for (const ToldPhase& phase : scan.phases) {
+            if (phase.pass != "split")
+                continue;
+            const auto twinOf = [&](const Decision& decision, PlaneId plane) {
+                return JoinTwin(phase.before->segments[segmentOf(decision.operands[0])], *planeIn(*phase.before, plane),
+                                phase.before->noise, floor);
+            };
+            for (const Decision& decision : phase.decisions()) {
+                if (decision.kind != DecisionKind::Assign && decision.kind != DecisionKind::Reject)
+                    continue;
+                const Test& told = testOf(decision.tests, "join_chi2");
+                const JoinTwin own = twinOf(decision, planeOf(decision.operands[1]));
+                const bool goes = decision.kind == DecisionKind::Assign;
+                const JoinTwin there = goes ? twinOf(decision, planeOf(decision.result[0])) : own;
+                if (!own.directed || own.ofPlane > kSmallShare || there.ofPlane > kSmallShare)
+                    continue;
+                QVERIFY(recomputed.agree(phase, goes ? "moved_chi2" : "own_chi2", told.value, there.chi, 0.05));
+                // One that goes must fit better by two, one that leaves for none not at all.
+                QVERIFY(recomputed.agree(phase, "join_chi2", told.limit,
+                                         goes ? own.chi - 2.0 : scan.parameters.likelihood.joinGate, 0.05));
+            }
+        }
+    }
+    QVERIFY2(recomputed.counts["moved_chi2"] > 5, qPrintable(QString::number(recomputed.counts["moved_chi2"])));
+}
+
 void ToldPreciseNumbersTest::pairsNearlyMergeByTheirChiSquare()
 {
     Recomputed recomputed;
@@ -184,6 +223,9 @@ void ToldPreciseNumbersTest::unfoundedPlanesAreTooSmallOrMetTooShallow()
                 QVERIFY(
                     recomputed.agree(phase, "segments", told("segments"), static_cast<double>(plane.segments.size())));
                 QVERIFY(recomputed.agree(phase, "slices", told("slices"), static_cast<double>(steps.size())));
+                const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> angles(plane.covariance.topLeftCorner<2, 2>());
+                QVERIFY(recomputed.agree(phase, "normal_sigma", told("normal_sigma"),
+                                         std::sqrt(angles.eigenvalues()[1]), 1e-6));
                 QVERIFY(
                     recomputed.agree(phase, "incidence", told("incidence"), meanIncidence(plane, *phase.before), 1e-6));
             }
