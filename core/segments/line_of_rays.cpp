@@ -16,24 +16,22 @@ constexpr double kFarthest = 10.0;
 
 /// 1/ρ as a linear function of the bearing's tangent, both as seen along a ray in the middle: intercept + slope · x.
 struct InverseRange {
-    double middleU = 0.0, middleV = 1.0;  // unit vector
+    double middleU, middleV;  // unit vector
     double intercept = 0.0;
     double slope = 0.0;
 };
 
 std::optional<InverseRange> inverseRangeOf(std::span<const SlicePoint> points)
 {
-    InverseRange fitted;
+    SlicePoint middle;
     for (const SlicePoint& point : points) {
-        fitted.middleU += point.u;
-        fitted.middleV += point.v;
+        middle.u += point.u;
+        middle.v += point.v;
     }
-    fitted.middleV -= 1.0;
-    const double length = std::hypot(fitted.middleU, fitted.middleV);
+    const double length = std::hypot(middle.u, middle.v);
     if (!(length > 0.0))
         return std::nullopt;
-    fitted.middleU /= length;
-    fitted.middleV /= length;
+    InverseRange fitted{middle.u / length, middle.v / length};
 
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (const SlicePoint& point : points) {
