@@ -33,10 +33,12 @@ void ask(QDialog* dialog)
         dialog->open();
 }
 
-void askBeside(QDialog* dialog)
+bool askBeside(QDialog* dialog)
 {
-    if (isOnly(dialog))
-        dialog->show();
+    if (!isOnly(dialog))
+        return false;
+    dialog->show();
+    return true;
 }
 
 QWidget* openDialog()

@@ -14,8 +14,8 @@ namespace planewright {
 /// already, that stays and the new one goes.
 void ask(QDialog* dialog);
 
-/// The same for one beside which the window can be used.
-void askBeside(QDialog* dialog);
+/// The same for one beside which the window can be used; false where the new one is gone.
+bool askBeside(QDialog* dialog);
 
 /// The dialog that has to be left before anything else of the window can be used; null without one.
 QWidget* openDialog();

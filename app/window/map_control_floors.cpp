@@ -112,8 +112,8 @@ void MapControl::askFloor(int number)
     dialog->explain(
         tr("Or drag the handles in the view: the middle shifts the floor, the knob on the ring turns it, "
            "the arrow raises it."));
-    showHandles(*floor, there, dialog);
-    askBeside(dialog);
+    if (askBeside(dialog))
+        showHandles(*floor, there, dialog);
 }
 
 bool MapControl::isPlacedByHand(int floor) const

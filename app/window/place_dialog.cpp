@@ -10,6 +10,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 
 #include "core/types/angle.h"
 #include "ui/panels/plain_fields.h"
@@ -87,8 +88,12 @@ void PlaceDialog::explain(const QString& text)
 
 void PlaceDialog::setPlace(const Pose& pose)
 {
-    isKnown_->setChecked(true);
-    show(pose);
+    {
+        const QSignalBlocker quiet(this);
+        isKnown_->setChecked(true);
+        show(pose);
+    }
+    emit placeChanged();
 }
 
 void PlaceDialog::offerToFit(const QString& text, std::function<std::pair<Pose, QString>(const Pose&)> fit)

@@ -30,12 +30,6 @@ void paintPlate(QPainter& painter, const QRect& rect, QColor colour, int alpha =
     painter.drawRoundedRect(rect, 4.0, 4.0);
 }
 
-QPoint toPixels(const Eigen::Vector3d& projected, QSize size)
-{
-    return {static_cast<int>(std::lround(size.width() / 2.0 + projected.x() * size.height())),
-            static_cast<int>(std::lround(size.height() / 2.0 - projected.y() * size.height()))};
-}
-
 bool isFree(const QRect& rect, const std::vector<QRect>& taken)
 {
     return std::none_of(taken.begin(), taken.end(), [&](const QRect& other) { return other.intersects(rect); });
@@ -80,7 +74,7 @@ void paintLabels(QPainter& painter, QSize size, const MapScene& scene, const std
             continue;
         const QString text = QString::fromStdString(label.text);
         QRect rect(0, 0, metrics.horizontalAdvance(text) + 2 * kPadding + 12, metrics.height() + 4);
-        rect.moveCenter(toPixels(place, size));
+        rect.moveCenter(toPixels(place, size).toPoint());
         rect = besidePlates(rect, picture, plates);
         if (rect.isEmpty() || !isFree(rect, taken))
             continue;
@@ -264,6 +258,11 @@ void paintTip(QPainter& painter, QSize size, const MapScene& scene, const Overla
 QColor toQColor(Rgb colour)
 {
     return {colour.red, colour.green, colour.blue};
+}
+
+QPointF toPixels(const Eigen::Vector3d& projected, QSize size)
+{
+    return {size.width() / 2.0 + projected.x() * size.height(), size.height() / 2.0 - projected.y() * size.height()};
 }
 
 double scaleBarLength(double most)

@@ -27,6 +27,9 @@ struct OverlayContent {
 
 QColor toQColor(Rgb colour);
 
+/// Where a point of projected() is in a picture of this size [px].
+QPointF toPixels(const Eigen::Vector3d& projected, QSize size);
+
 /// Paints names of planes, legend, scale bar, state and tip over a picture of this size, with the painter's font.
 void paintOverlay(QPainter& painter, QSize size, const MapScene& scene, const OverlayContent& content);
 

@@ -46,6 +46,11 @@ Pose turnAbout(const Eigen::Vector3d& place, double angle)
     return {turn, place - turn * place};
 }
 
+Eigen::Vector3d towards(double heading)
+{
+    return {std::cos(heading), std::sin(heading), 0.0};
+}
+
 double headingFrom(const Eigen::Vector3d& middle, const Eigen::Vector3d& place)
 {
     return std::atan2(place.y() - middle.y(), place.x() - middle.x());
@@ -58,8 +63,7 @@ QPolygonF seenLine(const std::vector<Eigen::Vector3d>& points, const ViewCamera&
     for (const Eigen::Vector3d& point : points) {
         const Eigen::Vector3d at = projected(camera, point);
         if (at.z() > 0.0)
-            line.append(
-                QPointF(size.width() / 2.0 + at.x() * size.height(), size.height() / 2.0 - at.y() * size.height()));
+            line.append(toPixels(at, size));
     }
     return line;
 }
@@ -68,8 +72,7 @@ std::vector<Eigen::Vector3d> circleOf(const PlacedShape& shape)
 {
     std::vector<Eigen::Vector3d> corners;
     for (int i = 0; i <= kRingCorners; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / kRingCorners;
-        corners.emplace_back(shape.middle + shape.radius * Eigen::Vector3d{std::cos(angle), std::sin(angle), 0.0});
+        corners.emplace_back(shape.middle + shape.radius * towards(2.0 * std::numbers::pi * i / kRingCorners));
     }
     return corners;
 }
@@ -99,9 +102,7 @@ PlacedShape moved(const PlacedShape& shape, const Pose& motion)
 {
     PlacedShape there = shape;
     there.middle = motion * shape.middle;
-    const Eigen::Vector3d ahead =
-        motion.rotation * Eigen::Vector3d{std::cos(shape.heading), std::sin(shape.heading), 0.0};
-    there.heading = std::atan2(ahead.y(), ahead.x());
+    there.heading = headingFrom(Eigen::Vector3d::Zero(), motion.rotation * towards(shape.heading));
     for (std::vector<Eigen::Vector3d>& ring : there.rings) {
         for (Eigen::Vector3d& corner : ring)
             corner = motion * corner;
@@ -115,7 +116,7 @@ Eigen::Vector3d placeOf(PlaceHandle handle, const PlacedShape& shape)
         case PlaceHandle::Shift:
             break;
         case PlaceHandle::Turn:
-            return shape.middle + shape.radius * Eigen::Vector3d{std::cos(shape.heading), std::sin(shape.heading), 0.0};
+            return shape.middle + shape.radius * towards(shape.heading);
         case PlaceHandle::Height:
             return shape.middle + kHeightOverRadius * shape.radius * Eigen::Vector3d::UnitZ();
     }

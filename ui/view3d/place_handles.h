@@ -42,11 +42,8 @@ public:
     const std::optional<PlacedShape>& shape() const { return shape_; }
     std::optional<PlaceHandle> held() const { return held_; }
 
-    /// The nearest handle to a place of the picture, given as for zoomed(), within a tolerance in fractions of the
-    /// picture's height.
-    std::optional<PlaceHandle> at(const ViewCamera& camera, const Eigen::Vector2d& place, double tolerance) const;
-
-    /// Takes hold of the handle there; false where there is none.
+    /// Takes hold of the nearest handle to a place of the picture, given as for zoomed(), within a tolerance in
+    /// fractions of the picture's height; false where there is none.
     bool take(const ViewCamera& camera, const Eigen::Vector2d& place, double tolerance);
     void letGo() { held_.reset(); }
 
@@ -58,6 +55,8 @@ public:
     void paint(QPainter& painter, QSize size, const ViewCamera& camera, Theme theme) const;
 
 private:
+    std::optional<PlaceHandle> at(const ViewCamera& camera, const Eigen::Vector2d& place, double tolerance) const;
+
     std::optional<PlacedShape> shape_;
     PlacedShape taken_;  // the shape when the handle was taken
     std::optional<PlaceHandle> held_;

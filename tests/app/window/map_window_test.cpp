@@ -321,6 +321,12 @@ void MapWindowTest::aFloorIsPlacedByItsHandles()
     QVERIFY(view.handles().shape().has_value());
     const Eigen::Vector3d middle = view.handles().shape()->middle;
 
+    // Another floor that is asked for meanwhile has to wait.
+    find<QComboBox>("planFloor")->setCurrentText(QStringLiteral("0"));
+    QTest::mouseClick(find<QPushButton>("placeFloor"), Qt::LeftButton);
+    QVERIFY((view.handles().shape()->middle - middle).norm() < 1e-9);
+    find<QComboBox>("planFloor")->setCurrentText(QStringLiteral("1"));
+
     // 80 pixels to the right from above.
     view.showNamed(NamedView::Top);
     const Eigen::Vector3d seen = projected(view.camera(), middle);
