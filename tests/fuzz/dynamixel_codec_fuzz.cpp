@@ -14,7 +14,8 @@
 #include "devices/dynamixel/servo_state.h"
 
 // What must hold for any bytes: how they are cut changes no packet, no more than one packet is held, a packet that was
-// found is written as it was read, and what its content is decoded to breaks nothing. The first byte says how to cut.
+// found is written as it was read, and what its content is decoded to breaks nothing. The first byte says how to cut,
+// and which model the servo is.
 
 namespace {
 
@@ -28,25 +29,23 @@ void require(bool holds)
         std::abort();
 }
 
-void checkContent(DynamixelProtocol protocol, const DynamixelPacket& packet)
+void checkContent(DynamixelProtocol protocol, const DynamixelPacket& packet, const DynamixelModel& model)
 {
     const std::optional<DynamixelStatus> status = statusOf(protocol, packet);
     if (!status)
         return;
     require(packetOf(protocol, *status) == packet);
     decodeStatusError(protocol, status->error);
-    for (const DynamixelModel& model : dynamixelModels()) {
-        RegisterImage image;
-        image.store(status->error, status->data);
-        const ServoSettings settings = decodeSettings(model, image);
-        require(settings.lowestGoal >= 0 && settings.highestGoal <= model.highestCount);
-        decodeDrive(model, image);
-        decodeState(model, image, false);
-        reasonNotToMove(model, image);
-    }
+    RegisterImage image;
+    image.store(status->error, status->data);
+    const ServoSettings settings = decodeSettings(model, image);
+    require(settings.lowestGoal >= 0 && settings.highestGoal <= model.highestCount);
+    decodeDrive(model, image);
+    decodeState(model, image, false);
+    reasonNotToMove(model, image);
 }
 
-void checkParser(DynamixelProtocol protocol, Bytes bytes, std::size_t cut)
+void checkParser(DynamixelProtocol protocol, Bytes bytes, std::size_t cut, const DynamixelModel& model)
 {
     PacketParser whole{protocol};
     const std::vector<DynamixelPacket> packets = whole.push(bytes);
@@ -65,7 +64,7 @@ void checkParser(DynamixelProtocol protocol, Bytes bytes, std::size_t cut)
     require(pieces.damaged() == whole.damaged());
 
     for (const DynamixelPacket& packet : packets) {
-        checkContent(protocol, packet);
+        checkContent(protocol, packet, model);
         // Its parameters may be too many for a packet of ours: what was stuffed without need comes out shorter.
         if (protocol == DynamixelProtocol::One || packet.parameters.size() <= 380) {
             const std::vector<DynamixelPacket> again = PacketParser{protocol}.push(encodePacket(protocol, packet));
@@ -102,8 +101,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     const std::size_t cut = 1 + data[0] % 32;
     const Bytes bytes{data + 1, size - 1};
-    checkParser(DynamixelProtocol::One, bytes, cut);
-    checkParser(DynamixelProtocol::Two, bytes, cut);
+    const DynamixelModel& model = dynamixelModels()[data[0] % dynamixelModels().size()];
+    checkParser(DynamixelProtocol::One, bytes, cut, model);
+    checkParser(DynamixelProtocol::Two, bytes, cut, model);
     checkStuffing(bytes);
     checkEcho(bytes, cut);
     return 0;

@@ -136,8 +136,8 @@ struct Rig {
             board = EmulatedBoard::make({.mounting = mounting, .startPitch = kFirstPitch}).value();
         else
             servo = EmulatedServo::make({.mounting = mounting, .pitch = kFirstPitch}).value();
-        static const Scene room = makeScene("corridor", 1).value();
-        const auto view = std::make_shared<EmulatedView>(room, SimulationNoise{}, 1);
+        // A room of few surfaces: what is cast into it is no part of what is tried here.
+        static const auto view = std::make_shared<EmulatedView>(makeScene("curved", 1).value(), SimulationNoise{}, 1);
         EmulatedLaserOptions options;
         options.model = emulatedLaserModel("UTM-30LX").value();
         laser = EmulatedLaser::make(
