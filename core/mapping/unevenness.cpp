@@ -17,7 +17,7 @@ namespace planewright {
 namespace {
 
 constexpr double kMedianChi3 = 2.366;   // of χ² with 3 degrees of freedom
-constexpr double kLeastShare = 0.025;   // of what was told
+constexpr double kLeastShare = 0.005;   // of what was told
 constexpr std::size_t kLeastSeen = 20;  // sightings that tell something
 constexpr int kHalvings = 12;           // of the interval in which it is looked for
 
