@@ -154,6 +154,8 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
     thinTracks(map_, inUse_, recorder);
     pass("split_contested");
     splitContested(map_, inUse_, recorder);
+    pass("split_parts");
+    splitParts(map_, inUse_, recorder);
     pass("drop_unfounded");
     dropUnfounded(map_, inUse_, recorder);
     pass("refine");

@@ -16,8 +16,6 @@ namespace {
 constexpr double kGrown = 1.25;
 /// |n·n| of planes that may be one at least.
 constexpr double kAlignment = 0.9;
-/// Beams within which segments of two planes count as side by side.
-constexpr int kSideMargin = 20;
 /// By how much worse one plane may explain the segments of two that scatter than each of these explains its own.
 constexpr double kWorse = 1.6;
 /// Pairs are looked at more closely, and told as nearly merged, up to this many times the gate.
@@ -41,12 +39,6 @@ bool sideBySide(const PlaneTrack& a, const PlaneTrack& b, const TrackMap& map)
 bool hasGrown(const PlaneTrack& plane)
 {
     return static_cast<double>(plane.points) > kGrown * static_cast<double>(plane.comparedAt);
-}
-
-/// By how much a plane's covariance grows where its segments scatter by more than their noise: so does the plane.
-double scatterOf(const PlaneTrack& plane)
-{
-    return std::max(1.0, meanErrorOf(plane));
 }
 
 std::vector<SegmentNumber> membersOf(const PlaneTrack& a, const PlaneTrack& b)
@@ -185,6 +177,11 @@ bool mergeGrown(TrackMap& map, const Parameters& parameters, StepRecorder& recor
 }
 
 }  // namespace
+
+double scatterOf(const PlaneTrack& plane)
+{
+    return std::max(1.0, meanErrorOf(plane));
+}
 
 Conditions mergeConditions(const PlaneTrack& a, const PlaneTrack& b, TrackMap& map, const Parameters& parameters)
 {

@@ -12,6 +12,8 @@ namespace planewright {
 
 /// Beams that two segments of neighbouring slices may miss each other by and still overlap.
 inline constexpr int kOverlapMargin = 3;
+/// Beams within which segments of two planes count as side by side.
+inline constexpr int kSideMargin = 20;
 
 /// Gives each segment of the newest slice to the plane that it fits best (section 4.1.4, Table III): of the planes of
 /// the segments it faces in the slices before, or else of the well-known planes seen lately. Returns those left over,
@@ -52,6 +54,14 @@ void splitTracks(TrackMap& map, const Parameters& parameters, StepRecorder& reco
 /// Takes planes apart of which too large a share is on runs that lean out of them (`contestedShare`), into the planes
 /// of these runs: a stair is its risers, not the slope over their edges.
 void splitContested(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
+/// By how much a plane's covariance grows where its segments scatter by more than their noise: so does the plane.
+double scatterOf(const PlaneTrack& plane);
+
+/// Takes planes apart whose parts, which lie apart from each other, would not be merged: each part that is not one with
+/// the others becomes a plane of its own. Few segments in each of two places lie in many planes; only when all are
+/// there do they tell that it is none.
+void splitParts(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 
 /// Takes the worst segments out of small planes that explain theirs badly, until they explain the rest well.
 void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);

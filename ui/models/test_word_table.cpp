@@ -135,6 +135,10 @@ std::span<const TestWords> allTestWords()
                   "that it does not matter."},
         TestWords{"merge_chi2", Any, "χ²", ChiSquare, Keys{"likelihood.merge-gate", ""},
                   "How far the planes are from each other by their covariances: 3 degrees of freedom."},
+        TestWords{
+            "parts_chi2", Any, "χ² of the parts", ChiSquare, Keys{"likelihood.merge-gate", ""},
+            "How far the plane of a part that lies apart is from the plane of the others, by their covariances: 3 "
+            "degrees of freedom."},
         TestWords{"worse_together", Any, "E of both / E", Plain, Keys{},
                   "How much worse one plane explains the segments of both than each explains its own."},
         TestWords{"seed_chi2", Any, "χ²", ChiSquare, Keys{"likelihood.seed-gate", ""},
