@@ -66,32 +66,46 @@ class RunTwin {
 public:
     RunTwin(const SegmentLog& log, const PlaneParameters& parameters) : log_(log), p_(parameters) {}
 
+    /// A run and its plane.
+    struct Run {
+        std::vector<const LineSegment*> segments;
+        FittedPlane plane;
+    };
+
+    /// The run around a segment; it has fewer than three segments where there is none.
+    Run around(const SegmentId& id) const
+    {
+        Run found;
+        std::vector<const LineSegment*>& run = found.segments;
+        run = follow(log_[id], -1);
+        std::reverse(run.begin(), run.end());
+        run.push_back(&log_[id]);
+        const std::vector<const LineSegment*> later = follow(log_[id], 1);
+        run.insert(run.end(), later.begin(), later.end());
+        while (run.size() >= 3) {
+            std::vector<std::pair<Eigen::Vector3d, double>> ends;
+            for (const LineSegment* s : run)
+                ends.insert(ends.end(), {{s->start, 1.0}, {s->end, 1.0}});
+            found.plane.fit(ends);
+            if (std::all_of(run.begin(), run.end(),
+                            [&](const LineSegment* s) { return found.plane.strayOf(*s) <= p_.inlierDistance; }))
+                break;
+            const bool keepsLast = run.back()->id == id;
+            const bool keepsFirst = run.front()->id == id;
+            if (keepsLast || (!keepsFirst && found.plane.strayOf(*run.front()) > found.plane.strayOf(*run.back())))
+                run.erase(run.begin());
+            else
+                run.pop_back();
+        }
+        return found;
+    }
+
     /// Whether the run around a segment leans out of a plane and is explained better by its own, by χ² > 9.
     bool contests(const SegmentId& id, const Eigen::Vector3d& normal, double distance) const
     {
         if (!leadsOut(log_[id], normal, -1) && !leadsOut(log_[id], normal, 1))
             return false;
-        std::vector<const LineSegment*> run = follow(log_[id], -1);
-        std::reverse(run.begin(), run.end());
-        run.push_back(&log_[id]);
-        const std::vector<const LineSegment*> later = follow(log_[id], 1);
-        run.insert(run.end(), later.begin(), later.end());
-        FittedPlane own;
-        while (run.size() >= 3) {
-            std::vector<std::pair<Eigen::Vector3d, double>> ends;
-            for (const LineSegment* s : run)
-                ends.insert(ends.end(), {{s->start, 1.0}, {s->end, 1.0}});
-            own.fit(ends);
-            if (std::all_of(run.begin(), run.end(),
-                            [&](const LineSegment* s) { return own.strayOf(*s) <= p_.inlierDistance; }))
-                break;
-            const bool keepsLast = run.back()->id == id;
-            const bool keepsFirst = run.front()->id == id;
-            if (keepsLast || (!keepsFirst && own.strayOf(*run.front()) > own.strayOf(*run.back())))
-                run.erase(run.begin());
-            else
-                run.pop_back();
-        }
+        const auto [run, own] = around(id);
         if (run.size() < 3 || std::abs(own.normal.dot(normal)) > std::cos(p_.runLean))
             return false;
         double gain = 0.0;
