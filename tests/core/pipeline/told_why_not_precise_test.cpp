@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "core/segments/slice_trace.h"
 #include "tests/core/pipeline/asked_scan.h"
 #include "tests/core/pipeline/likelihood_twin.h"
 #include "tests/core/pipeline/neighbour_slices.h"
+#include "tests/core/pipeline/precise_twin.h"
 #include "tests/core/pipeline/told_step.h"
 #include "tests/test_program.h"
 
@@ -22,80 +22,8 @@ double toleranceOf(double chi)
 }
 /// The plane of both is worked out for so many segments.
 constexpr std::size_t kFew = 60;
-/// Beams by which segments may miss each other and still face each other.
-constexpr int kFacingBeams = 3;
 /// A segment that fits one plane so well asks no other.
 constexpr double kCertainChi = 4.0;
-
-double angleVarianceOf(const Plane& plane)
-{
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(ownCovariance(plane).topLeftCorner<2, 2>()).eigenvalues()[1];
-}
-
-/// What a step left behind, as somebody sees it who knows no more than the snapshot and the slices.
-struct PreciseTwin {
-    const Snapshot& now;
-    Parameters parameters;
-    NeighbourSlices neighbours;
-
-    PreciseTwin(const Snapshot& snapshot, const Recording& recording)
-        : now(snapshot),
-          parameters(withNoise(AskedScan::parametersOf("precise"), snapshot.noise)),
-          neighbours(recording, snapshot.segments)
-    {
-    }
-
-    bool faces(const LineSegment& s, const Plane& plane, bool withItself) const
-    {
-        return std::any_of(plane.segments.begin(), plane.segments.end(), [&](const SegmentId& id) {
-            return (withItself || id != s.id) && neighbours.isBeside(s, now.segments[id], kFacingBeams);
-        });
-    }
-
-    JoinTwin join(const LineSegment& s, const Plane& plane, double shareOfFloor) const
-    {
-        return {s, plane, now.noise, shareOfFloor * parameters.flatnessFloor()};
-    }
-
-    /// How a segment fits the planes that it faces, its own among them.
-    std::vector<JoinTwin> facing(const LineSegment& s) const
-    {
-        std::vector<JoinTwin> fits;
-        for (const auto& plane : now.planes) {
-            if (faces(s, *plane, true) && steepnessOf(s, plane->normal) > 2.8e-3)
-                fits.push_back(join(s, *plane, 1.0));
-        }
-        return fits;
-    }
-
-    /// By how many slices the nearest segment of a plane is away.
-    double slicesAway(const LineSegment& s, const Plane& plane) const
-    {
-        int least = std::numeric_limits<int>::max();
-        for (const SegmentId& id : plane.segments)
-            least = std::min(least, std::abs(neighbours.placeOf(now.segments[id]) - neighbours.placeOf(s)));
-        return least;
-    }
-
-    /// Standard deviation of where a plane is at a point.
-    static double sigmaAt(const Eigen::Vector3d& point, const Plane& plane)
-    {
-        Eigen::Vector3d lever;
-        lever << plane.tangents.transpose() * point, -1.0;
-        return std::sqrt(lever.dot(ownCovariance(plane) * lever));
-    }
-
-    /// What a segment tells of its own place, with its slice's pitch and half the floor.
-    double ownSigma(const LineSegment& s) const
-    {
-        const Eigen::Vector3d ray = s.moments.mean - s.viewpoint;
-        const double ofPoint =
-            parameters.noise.rangeVariance(ray.norm()) + std::pow(parameters.noise.bearing, 2) * ray.squaredNorm();
-        return std::sqrt(std::max(s.placeSigma * s.placeSigma, ofPoint / s.points) +
-                         std::pow(0.5 * parameters.flatnessFloor(), 2) +
-                         std::pow(parameters.noise.pitch, 2) * s.moments.mean.squaredNorm());
-    }
-};
 
 bool isClose(double told, double chi)
 {
@@ -141,7 +69,7 @@ private:
             ToldPhase phase;
             phase.step = at;
             phase.after = (*scan.replay.at(at))->snapshot;
-            visit(phase, PreciseTwin(*phase.after, scan.room.scan.recording));
+            visit(phase, PreciseTwin(*phase.after, scan.room.scan.recording, AskedScan::parametersOf("precise")));
         }
     }
 
