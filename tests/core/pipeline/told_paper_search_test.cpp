@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <numbers>
-
 #include "core/params/presets.h"
 #include "tests/core/pipeline/raw_slice.h"
 #include "tests/core/pipeline/traced_scan.h"
