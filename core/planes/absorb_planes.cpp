@@ -92,8 +92,10 @@ std::optional<std::size_t> coverOf(std::size_t place, const PlaneMap& map, const
 Conditions absorbConditions(const GrowingPlane& a, const GrowingPlane& b, const PlaneMap& map,
                             const Parameters& parameters)
 {
-    const GrowingPlane& larger = isLarger(b, a) ? b : a;
-    const GrowingPlane& plane = isLarger(b, a) ? a : b;
+    // Of two that are as large the one that was made first is asked, in whichever order they come.
+    const bool isSecond = isLarger(b, a) || (!isLarger(a, b) && b.id() < a.id());
+    const GrowingPlane& larger = isSecond ? b : a;
+    const GrowingPlane& plane = isSecond ? a : b;
     Conditions way{"absorb",
                    {{"segments", static_cast<double>(larger.members().size()), Comparison::Greater,
                      static_cast<double>(plane.members().size())}}};

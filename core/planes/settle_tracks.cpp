@@ -222,19 +222,21 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
         if (map.holds(plane, plane.foundedAt))
             continue;
         const Strip strip = stripOf(plane, map);
-        const bool narrow = strip.width < p.stripWidth && strip.freeShare > p.stripShare;
         std::vector<Test> tests{
             {"points", static_cast<double>(plane.points), Comparison::GreaterEqual, minPoints},
             {"segments", static_cast<double>(plane.members.size()), Comparison::GreaterEqual,
              plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSegments)},
             {"slices", static_cast<double>(plane.slices), Comparison::GreaterEqual,
              plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSlices)},
-            {"free_strip_share", narrow ? strip.freeShare : 0.0, Comparison::LessEqual, p.stripShare},
-            {"reduced_chi2", plane.members.size() <= kThinned ? reducedChi(plane, map, parameters) : 0.0,
-             Comparison::LessEqual, parameters.likelihood.largestReducedChi(freedomOfMembers(plane))},
-            {"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare},
-            {"incidence", map.meanIncidence(plane), Comparison::GreaterEqual, std::sin(parameters.planes.minIncidence)},
         };
+        if (strip.width < p.stripWidth)
+            tests.push_back({"free_strip_share", strip.freeShare, Comparison::LessEqual, p.stripShare});
+        if (plane.members.size() <= kThinned)
+            tests.push_back({"reduced_chi2", reducedChi(plane, map, parameters), Comparison::LessEqual,
+                             p.largestReducedChi(freedomOfMembers(plane))});
+        tests.push_back({"bent_share", bentShare(plane, map), Comparison::LessEqual, p.bentShare});
+        tests.push_back({"incidence", map.meanIncidence(plane), Comparison::GreaterEqual,
+                         std::sin(parameters.planes.minIncidence)});
         // Where ranges err together, what noise makes of a normal does not tell how well it is known.
         if (parameters.noise.systematic <= 0.0)
             tests.push_back({"normal_sigma",

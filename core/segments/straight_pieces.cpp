@@ -30,12 +30,11 @@ constexpr int kDeepestBend = 4;
 /// A division is doubtful where its squared deviation is less than so many times the limit.
 constexpr double kDoubtful = 4.0;
 
-/// Whether two lines with this sum of squares [m²] explain a piece so much better than one that it is no chance.
-bool isSurelyTwo(const LinePiece& piece, double apart, double wantedGain)
+/// By how much two lines with this sum of squares [m²] must explain a piece better than one to be no chance [m²].
+double surelyTwo(const LinePiece& piece, double apart, double wantedGain)
 {
-    const double gain = piece.line.across - apart;
     const double scatter = std::max(piece.variance, apart / std::max(1.0, piece.moments.count - 4.0));
-    return gain > wantedGain * scatter || gain > kSureGain * piece.variance;
+    return std::min(wantedGain * scatter, kSureGain * piece.variance);
 }
 
 }  // namespace
@@ -180,15 +179,16 @@ void StraightPieces::tellSplit(const ChordF& chord, int division, int depth, con
                                std::sqrt(static_cast<double>(limit))}});
 }
 
-void StraightPieces::tellBend(const LinePiece& piece, int division) const
+/// Gain and limit in variances.
+void StraightPieces::tellBend(const LinePiece& piece, int division, const NoiseParameters& noise) const
 {
     if (trace_ == nullptr)
         return;
     const double apart =
         lineOf(fewPoints(piece.first, division - 1)).across + lineOf(fewPoints(division, piece.last)).across;
-    trace_->splits.push_back(
-        {points_->beam(division),
-         {"two_lines_gain", (piece.line.across - apart) / piece.variance, Comparison::Greater, kDivisionGain}});
+    trace_->splits.push_back({points_->beam(division),
+                              {"two_lines_gain", (piece.line.across - apart) / piece.variance, Comparison::Greater,
+                               surelyTwo(piece, apart, wantedGain(piece, noise)) / piece.variance}});
 }
 
 void StraightPieces::tellDropped(int first, int last) const
@@ -326,13 +326,19 @@ bool StraightPieces::hasOneVariance(const LinePiece& piece, const NoiseParameter
     return isEven(piece.first) && isEven(piece.last);
 }
 
+/// By how many times the scatter two lines must explain a piece better than one.
+double StraightPieces::wantedGain(const LinePiece& piece, const NoiseParameters& noise) const
+{
+    return hasOneVariance(piece, noise) ? kDivisionGain : kSureGain;
+}
+
 /// Where two lines explain a piece best: the first point of the second one; −1 where two explain it no better than one.
 int StraightPieces::bestDivision(const LinePiece& piece, const NoiseParameters& noise) const
 {
     int low = piece.first + shortest_;
     int high = piece.last - shortest_ + 1;
     int division = -1;
-    const double wanted = hasOneVariance(piece, noise) ? kDivisionGain : kSureGain;
+    const double wanted = wantedGain(piece, noise);
     double least = piece.line.across - kGainNearby * wanted * piece.variance;
     // Every few points first, then every point around the best.
     for (int step = std::max(1, piece.points() / kDivisionsTried);; step = std::max(1, step / kDivisionsTried * 2)) {
@@ -349,7 +355,7 @@ int StraightPieces::bestDivision(const LinePiece& piece, const NoiseParameters& 
                 left.add(fewPoints(border, border + step - 1));
         }
         if (step == 1 || division < 0)
-            return division >= 0 && isSurelyTwo(piece, least, wanted) ? division : -1;
+            return division >= 0 && piece.line.across - least > surelyTwo(piece, least, wanted) ? division : -1;
         low = std::max(piece.first + shortest_, division - step);
         high = std::min(piece.last - shortest_ + 1, division + step);
     }
@@ -374,7 +380,7 @@ void StraightPieces::divideBent(const LinePiece& piece, int division, int depth,
         straight_.push_back(piece);
         return;
     }
-    tellBend(piece, division);
+    tellBend(piece, division, noise);
     LinePiece left = pieceOf(piece.first, division - 1);
     LinePiece right = pieceOf(division, piece.last);
     settleBorder(left, right, noise);

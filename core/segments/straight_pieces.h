@@ -42,11 +42,12 @@ private:
     LinePiece pieceOf(int first, int last) const;
     LineMoments fewPoints(int first, int last) const;
     void tellSplit(const ChordF& chord, int division, int depth, const Parameters& parameters) const;
-    void tellBend(const LinePiece& piece, int division) const;
+    void tellBend(const LinePiece& piece, int division, const NoiseParameters& noise) const;
     void tellDropped(int first, int last) const;
     void tellStranger(int point, double deviation) const;
     void settleBorder(LinePiece& left, LinePiece& right, const NoiseParameters& noise) const;
     bool hasOneVariance(const LinePiece& piece, const NoiseParameters& noise) const;
+    double wantedGain(const LinePiece& piece, const NoiseParameters& noise) const;
     int bestDivision(const LinePiece& piece, const NoiseParameters& noise) const;
     int bendOf(const LinePiece& piece, int depth, const NoiseParameters& noise) const;
     void divideBent(const LinePiece& piece, int division, int depth, const NoiseParameters& noise);

@@ -22,6 +22,10 @@ QString failureText(const Test& test)
 {
     if (test.name == "length")
         return SliceModel::tr("length %1 m < %2 m").arg(numberText(test.value, 3), numberText(test.limit, 3));
+    if (test.name == "line_distance")
+        return SliceModel::tr("%1 m > %2 m").arg(numberText(test.value, 3), numberText(test.limit, 3));
+    if (test.name == "line_chi2")
+        return SliceModel::tr("χ² %1 > %2").arg(numberText(test.value, 1), numberText(test.limit, 1));
     const QString numbers = QStringLiteral("%1 < %2").arg(numberText(test.value, 0), numberText(test.limit, 0));
     if (test.name == "points_of_run")
         return SliceModel::tr("points of the run %1").arg(numbers);

@@ -131,6 +131,59 @@ private:
     }
 };
 
+/// Covariance of (tangent angle 1, tangent angle 2, d) by the noise alone: what is shown grows with the scatter.
+inline Eigen::Matrix3d ownCovariance(const Plane& plane)
+{
+    return plane.covariance / std::max(1.0, plane.fittingError);
+}
+
+/// A segment against a plane, from what snapshots show: χ² of its distance and its slope with the covariance of both,
+/// by the noise of its points, the slice's pitch, the plane, and a floor of what ranges may be off together.
+struct JoinTwin {
+    double chi = 0.0;
+    bool directed = true;  ///< noise does not direct the line
+    double ofPlane = 0.0;  ///< share of the distance's variance that is the plane's
+
+    JoinTwin(const LineSegment& s, const Plane& plane, const SensorNoise& noise, double floor)
+    {
+        const Eigen::Vector3d& n = plane.normal;
+        const Eigen::Vector3d p = s.moments.mean;
+        const Eigen::Vector3d along = -s.direction;
+        const double length = s.length();
+        const double steepness = steepnessOf(s, n);
+
+        Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+        covariance(0, 0) = steepness * (s.placeSigma * s.placeSigma + floor * floor);
+        covariance(1, 1) = steepness * (s.directionSigma * s.directionSigma + 16.0 * floor * floor / (length * length));
+        const Eigen::Vector2d byPitch{n.dot(turned(p)), n.dot(turned(along))};
+        covariance += noise.pitch * noise.pitch * byPitch * byPitch.transpose();
+        Eigen::Matrix<double, 2, 3> byPlane;
+        byPlane << (plane.tangents.transpose() * p).transpose(), -1.0, (plane.tangents.transpose() * along).transpose(),
+            0.0;
+        const Eigen::Matrix2d own = byPlane * ownCovariance(plane) * byPlane.transpose();
+        covariance += own;
+        ofPlane = own(0, 0) / covariance(0, 0);
+        const Eigen::Vector2d residual{n.dot(p) - plane.distance, n.dot(along)};
+        chi = residual.dot(covariance.inverse() * residual);
+
+        directed = isDirected(s, noise);
+    }
+};
+
+/// χ² of a segment's distance from a plane and its slope, without what is unsure of the plane.
+template <class AnyPlane>
+double residualChi(const LineSegment& s, const AnyPlane& plane, double pitch, double floor)
+{
+    const Eigen::Vector3d& n = plane.normal;
+    const Eigen::Vector2d residual{n.dot(s.moments.mean) - plane.distance, n.dot(s.direction)};
+    const Eigen::Vector2d byPitch{n.dot(turned(s.moments.mean)), n.dot(turned(s.direction))};
+    Eigen::Matrix2d covariance = pitch * pitch * byPitch * byPitch.transpose();
+    const double steepness = steepnessOf(s, n);
+    covariance(0, 0) += steepness * (s.placeSigma * s.placeSigma + floor * floor);
+    covariance(1, 1) += steepness * (s.directionSigma * s.directionSigma + 16.0 * std::pow(floor / s.length(), 2));
+    return residual.dot(covariance.inverse() * residual);
+}
+
 /// χ² of two planes being one, with a floor over an extent of a metre, in a frame of this function's own. A plane has
 /// normal, distance, tangents, and a covariance of its own, without what its scatter adds.
 template <class A, class B>

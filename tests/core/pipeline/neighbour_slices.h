@@ -61,19 +61,21 @@ public:
 
     int placeOf(const LineSegment& s) const { return static_cast<int>(log_.find(s.id.step)); }
 
+    /// Whether a segment is within so many beams of another, in the slices that count as next to its own.
+    bool isBeside(const LineSegment& s, const LineSegment& other, int beams) const
+    {
+        const int place = placeOf(s);
+        const int away = placeOf(other) - place;
+        const bool near = away < 0 ? -away <= reach(place, -1) : away <= reach(place, 1);
+        return near && other.firstBeam <= s.lastBeam + beams && s.firstBeam <= other.lastBeam + beams;
+    }
+
     /// Whether a segment of one plane and one of the other are within 20 beams in neighbouring slices.
     bool sideBySide(const PlaneSegments& a, const PlaneSegments& b) const
     {
-        for (const LineSegment* s : a) {
-            const int place = placeOf(*s);
-            for (const LineSegment* t : b) {
-                const int away = placeOf(*t) - place;
-                const bool near = away < 0 ? -away <= reach(place, -1) : away <= reach(place, 1);
-                if (near && t->firstBeam <= s->lastBeam + 20 && s->firstBeam <= t->lastBeam + 20)
-                    return true;
-            }
-        }
-        return false;
+        return std::any_of(a.begin(), a.end(), [&](const LineSegment* s) {
+            return std::any_of(b.begin(), b.end(), [&](const LineSegment* t) { return isBeside(*s, *t, 20); });
+        });
     }
 
 private:

@@ -1,55 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <Eigen/Eigenvalues>
-
+#include "tests/core/pipeline/raw_slice.h"
 #include "tests/core/pipeline/told_step.h"
 #include "tests/test_program.h"
 
 namespace planewright {
 namespace {
-
-Eigen::Vector2d pointOf(const ScanSlice& slice, int beam)
-{
-    const auto at = static_cast<std::size_t>(beam);
-    return slice.ranges[at] * Eigen::Vector2d{std::cos(slice.bearing(at)), std::sin(slice.bearing(at))};
-}
-
-/// The line of least squares through the echoes of a slice from one beam to another.
-struct RawLine {
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    Eigen::Vector2d normal = Eigen::Vector2d::UnitY();
-    double count = 0.0;
-    double along = 0.0;  ///< Σ t²
-
-    RawLine(const ScanSlice& slice, const SensorModel& sensor, int firstBeam, int lastBeam)
-    {
-        std::vector<Eigen::Vector2d> points;
-        for (int beam = firstBeam; beam <= lastBeam; ++beam) {
-            if (sensor.hasEcho(slice.ranges[static_cast<std::size_t>(beam)]))
-                points.push_back(pointOf(slice, beam));
-        }
-        count = static_cast<double>(points.size());
-        for (const Eigen::Vector2d& point : points)
-            middle += point / count;
-        Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-        for (const Eigen::Vector2d& point : points)
-            scatter += (point - middle) * (point - middle).transpose();
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(scatter);
-        normal = axes.eigenvectors().col(0);
-        along = axes.eigenvalues()[1];
-    }
-
-    double distanceOf(const Eigen::Vector2d& point) const { return std::abs(normal.dot(point - middle)); }
-};
-
-/// Variance across a line of a point by the noise of its range and its bearing.
-double varianceAcross(const Eigen::Vector2d& normal, const Eigen::Vector2d& point, const NoiseParameters& noise)
-{
-    const Eigen::Vector2d aside{-point.y(), point.x()};
-    return std::pow(normal.dot(point.normalized()), 2) * noise.rangeVariance(point.norm()) +
-           std::pow(normal.dot(aside) * noise.bearing, 2);
-}
 
 /// More points at the end of a piece are not in question when its border is settled, with those beyond it.
 constexpr int kMostInQuestion = 14;

@@ -10,22 +10,6 @@
 #include "tests/test_program.h"
 
 namespace planewright {
-namespace {
-
-/// χ² of a segment's distance from a plane and its slope, without what is unsure of the plane.
-double residualChi(const LineSegment& s, const LikeliestPlane& plane, double pitch, double floor)
-{
-    const Eigen::Vector3d& n = plane.normal;
-    const Eigen::Vector2d residual{n.dot(s.moments.mean) - plane.distance, n.dot(s.direction)};
-    const Eigen::Vector2d byPitch{n.dot(turned(s.moments.mean)), n.dot(turned(s.direction))};
-    Eigen::Matrix2d covariance = pitch * pitch * byPitch * byPitch.transpose();
-    const double steepness = steepnessOf(s, n);
-    covariance(0, 0) += steepness * (s.placeSigma * s.placeSigma + floor * floor);
-    covariance(1, 1) += steepness * (s.directionSigma * s.directionSigma + 16.0 * std::pow(floor / s.length(), 2));
-    return residual.dot(covariance.inverse() * residual);
-}
-
-}  // namespace
 
 /// Planes of `precise` are made, and become one, for the numbers that their segments give on another way: the whole
 /// least-squares problem with the pitch error of each slice as an unknown of its own.

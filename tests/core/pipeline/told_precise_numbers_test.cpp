@@ -5,8 +5,6 @@
 #include <utility>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include "tests/core/pipeline/likelihood_twin.h"
 #include "tests/core/pipeline/told_step.h"
@@ -18,45 +16,6 @@ namespace {
 /// Covariances are those of where a plane was linearised, some way from where a young one is: numbers are compared
 /// where the plane's own makes less than this share of the variance.
 constexpr double kSmallShare = 0.1;
-
-/// Covariance of (tangent angle 1, tangent angle 2, d) by the noise alone: what is shown grows with the scatter.
-Eigen::Matrix3d ownCovariance(const Plane& plane)
-{
-    return plane.covariance / std::max(1.0, plane.fittingError);
-}
-
-/// A segment against a plane, from what snapshots show: χ² of its distance and its slope with the covariance of both,
-/// by the noise of its points, the slice's pitch, the plane, and a floor of what ranges may be off together.
-struct JoinTwin {
-    double chi = 0.0;
-    bool directed = true;  ///< noise does not direct the line
-    double ofPlane = 0.0;  ///< share of the distance's variance that is the plane's
-
-    JoinTwin(const LineSegment& s, const Plane& plane, const SensorNoise& noise, double floor)
-    {
-        const Eigen::Vector3d& n = plane.normal;
-        const Eigen::Vector3d p = s.moments.mean;
-        const Eigen::Vector3d along = -s.direction;
-        const double length = s.length();
-        const double steepness = steepnessOf(s, n);
-
-        Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-        covariance(0, 0) = steepness * (s.placeSigma * s.placeSigma + floor * floor);
-        covariance(1, 1) = steepness * (s.directionSigma * s.directionSigma + 16.0 * floor * floor / (length * length));
-        const Eigen::Vector2d byPitch{n.dot(turned(p)), n.dot(turned(along))};
-        covariance += noise.pitch * noise.pitch * byPitch * byPitch.transpose();
-        Eigen::Matrix<double, 2, 3> byPlane;
-        byPlane << (plane.tangents.transpose() * p).transpose(), -1.0, (plane.tangents.transpose() * along).transpose(),
-            0.0;
-        const Eigen::Matrix2d own = byPlane * ownCovariance(plane) * byPlane.transpose();
-        covariance += own;
-        ofPlane = own(0, 0) / covariance(0, 0);
-        const Eigen::Vector2d residual{n.dot(p) - plane.distance, n.dot(along)};
-        chi = residual.dot(covariance.inverse() * residual);
-
-        directed = isDirected(s, noise);
-    }
-};
 
 double meanIncidence(const Plane& plane, const Snapshot& snapshot)
 {
@@ -70,6 +29,19 @@ double meanIncidence(const Plane& plane, const Snapshot& snapshot)
     return sum / points;
 }
 
+/// How many points fill the smallest solid angle of a plane, from beam to beam and from slice to slice: a dozen at
+/// least, and no more than are enough.
+double pointsOfSmallest(const ToldScan& scan)
+{
+    const std::vector<ScanSlice>& slices = scan.recording.slices;
+    double travelled = 0.0;
+    for (std::size_t i = 1; i < slices.size(); ++i)
+        travelled += std::abs(slices[i].tilt - slices[i - 1].tilt);
+    const double angle = slices.front().bearingStep * travelled / static_cast<double>(slices.size() - 1);
+    const LikelihoodParameters& p = scan.parameters.likelihood;
+    return std::clamp(p.minSolidAngle / angle, 12.0, static_cast<double>(p.enoughPoints));
+}
+
 }  // namespace
 
 /// Numbers of decisions of `precise`, worked out anew from segments and planes of the history.
@@ -79,6 +51,7 @@ class ToldPreciseNumbersTest : public QObject {
 private slots:
     void segmentsJoinByTheirChiSquare_data() { scenes(); }
     void segmentsJoinByTheirChiSquare();
+    void segmentsLeftOverJoinByTheirChiSquare();
     void segmentsMoveInTheLastPassByTheirChiSquare();
     void pairsNearlyMergeByTheirChiSquare();
     void unfoundedPlanesAreTooSmallOrMetTooShallow();
@@ -137,12 +110,41 @@ void ToldPreciseNumbersTest::segmentsJoinByTheirChiSquare()
     QVERIFY2(undirected * 20 < recomputed.counts["join_chi2"], qPrintable(QString::number(undirected)));
 }
 
+/// They join one by one: of each plane the first is compared, before it has changed.
+void ToldPreciseNumbersTest::segmentsLeftOverJoinByTheirChiSquare()
+{
+    Recomputed recomputed;
+    for (const char* scene : {"corridor", "office", "stairs", "clutter", "hall", "curved"}) {
+        const ToldScan scan("precise", scene, 3);
+        const LikelihoodParameters& p = scan.parameters.likelihood;
+        for (const ToldPhase& phase : scan.phases) {
+            if (phase.phase != Phase::Remaining && phase.pass != "remaining")
+                continue;
+            std::set<PlaneId> changed;
+            for (const Decision& decision : phase.decisions()) {
+                if (decision.kind != DecisionKind::Assign || !changed.insert(planeOf(decision.operands[1])).second)
+                    continue;
+                const Test& told = decision.tests.front();
+                const bool isFacing = told.limit == p.joinGate;
+                QVERIFY(isFacing || told.limit == p.apartGate);
+                const JoinTwin twin(phase.before->segments[segmentOf(decision.operands[0])],
+                                    *planeIn(*phase.before, planeOf(decision.operands[1])), phase.before->noise,
+                                    scan.parameters.flatnessFloor() * (isFacing ? 1.0 : 0.5));
+                if (twin.directed && twin.ofPlane < kSmallShare && told.value > 0.5)
+                    QVERIFY(recomputed.agree(phase, "join_chi2", told.value, twin.chi, 0.1));
+            }
+        }
+    }
+    QVERIFY2(recomputed.counts["join_chi2"] > 20, qPrintable(QString::number(recomputed.counts["join_chi2"])));
+}
+
 void ToldPreciseNumbersTest::segmentsMoveInTheLastPassByTheirChiSquare()
 {
     Recomputed recomputed;
     for (const auto& [scene, seed] :
          {std::pair("office", 3), std::pair("office", 4), std::pair("stairs", 3), std::pair("clutter", 3),
-          std::pair("clutter", 4), std::pair("clutter", 5), std::pair("curved", 3), std::pair("hall", 3)}) {
+          std::pair("clutter", 4), std::pair("clutter", 5), std::pair("curved", 2), std::pair("curved", 5),
+          std::pair("curved", 6), std::pair("hall", 3), std::pair("corridor", 4)}) {
         const ToldScan scan("precise", scene, static_cast<std::uint64_t>(seed));
         const double floor = scan.parameters.flatnessFloor();
         for (const ToldPhase& phase : scan.phases) {
@@ -153,10 +155,16 @@ void ToldPreciseNumbersTest::segmentsMoveInTheLastPassByTheirChiSquare()
                                 phase.before->noise, floor);
             };
             for (const Decision& decision : phase.decisions()) {
-                if (decision.kind != DecisionKind::Assign)
+                if (decision.kind != DecisionKind::Assign && decision.kind != DecisionKind::Reject)
                     continue;
                 const Test& told = testOf(decision.tests, "join_chi2");
                 const JoinTwin own = twinOf(decision, planeOf(decision.operands[1]));
+                if (decision.kind == DecisionKind::Reject) {
+                    // It fits its own plane no more, and no other better.
+                    if (own.directed && own.ofPlane < kSmallShare)
+                        QVERIFY(recomputed.agree(phase, told, own.chi, scan.parameters.likelihood.joinGate, 0.05));
+                    continue;
+                }
                 const JoinTwin there = twinOf(decision, planeOf(decision.result[0]));
                 if (!own.directed || own.ofPlane > kSmallShare || there.ofPlane > kSmallShare)
                     continue;
@@ -167,6 +175,7 @@ void ToldPreciseNumbersTest::segmentsMoveInTheLastPassByTheirChiSquare()
         }
     }
     QVERIFY2(recomputed.counts["moved_chi2"] > 10, qPrintable(QString::number(recomputed.counts["moved_chi2"])));
+    QVERIFY2(recomputed.counts["join_chi2"] > 10, qPrintable(QString::number(recomputed.counts["join_chi2"])));
 }
 
 void ToldPreciseNumbersTest::pairsNearlyMergeByTheirChiSquare()
@@ -206,26 +215,31 @@ void ToldPreciseNumbersTest::unfoundedPlanesAreTooSmallOrMetTooShallow()
     Recomputed recomputed;
     for (const char* scene : {"corridor", "office", "clutter", "curved"}) {
         const ToldScan scan("precise", scene, 3);
+        const PlaneParameters& p = scan.parameters.planes;
+        const double fewestPoints = pointsOfSmallest(scan);
+        std::set<PlaneId> ofPair;
         for (const ToldPhase& phase : scan.phases) {
-            if (phase.pass != "drop_unfounded")
-                continue;
             for (const Decision& decision : phase.decisions()) {
-                if (decision.kind != DecisionKind::NoFit)
+                if (decision.kind == DecisionKind::Fit && decision.tests.front().name == "pair_chi2")
+                    ofPair.insert(planeOf(decision.result[0]));
+                if (decision.kind != DecisionKind::NoFit || phase.pass != "drop_unfounded")
                     continue;
                 const Plane& plane = *planeIn(*phase.before, planeOf(decision.operands[0]));
                 std::set<int> steps;
                 for (const SegmentId& id : plane.segments)
                     steps.insert(id.step);
-                const auto told = [&](std::string_view name) { return testOf(decision.tests, name).value; };
-                QVERIFY(recomputed.agree(phase, "points", told("points"), plane.points));
-                QVERIFY(
-                    recomputed.agree(phase, "segments", told("segments"), static_cast<double>(plane.segments.size())));
-                QVERIFY(recomputed.agree(phase, "slices", told("slices"), static_cast<double>(steps.size())));
+                const auto told = [&](std::string_view name) { return testOf(decision.tests, name); };
+                const bool isPair = ofPair.contains(plane.id);
+                QVERIFY(recomputed.agree(phase, told("points"), plane.points, fewestPoints, 1e-6));
+                QVERIFY(recomputed.agree(phase, told("segments"), static_cast<double>(plane.segments.size()),
+                                         isPair ? 2.0 : p.minSegments));
+                QVERIFY(recomputed.agree(phase, told("slices"), static_cast<double>(steps.size()),
+                                         isPair ? 2.0 : p.minSlices));
                 const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> angles(plane.covariance.topLeftCorner<2, 2>());
-                QVERIFY(recomputed.agree(phase, "normal_sigma", told("normal_sigma"),
-                                         std::sqrt(angles.eigenvalues()[1]), 1e-6));
-                QVERIFY(
-                    recomputed.agree(phase, "incidence", told("incidence"), meanIncidence(plane, *phase.before), 1e-6));
+                QVERIFY(recomputed.agree(phase, told("normal_sigma"), std::sqrt(angles.eigenvalues()[1]),
+                                         p.maxNormalSigma, 1e-6));
+                QVERIFY(recomputed.agree(phase, told("incidence"), meanIncidence(plane, *phase.before),
+                                         std::sin(p.minIncidence), 1e-6));
             }
         }
     }

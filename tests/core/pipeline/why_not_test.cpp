@@ -5,47 +5,13 @@
 
 #include <QtTest>
 
-#include "core/params/presets.h"
-#include "core/pipeline/step_replay.h"
+#include "tests/core/pipeline/asked_scan.h"
 #include "tests/core/pipeline/same_snapshot.h"
-#include "tests/core/pipeline/simulated_room.h"
 #include "tests/core/planes/recorded_decisions.h"
 #include "tests/test_program.h"
 
 namespace planewright {
 namespace {
-
-/// A simulated scan that can be asked about its steps.
-struct AskedScan {
-    SimulatedRoom room;
-    StepReplay replay;
-
-    AskedScan(const QString& preset, std::string_view scene)
-        : room(scanOf(scene, "default", 3, "table10-2")),
-          replay(sensorOf(room.scan.recording.description), parametersOf(preset))
-    {
-        for (const ScanSlice& slice : room.scan.recording.slices)
-            replay.add(std::make_shared<const ScanSlice>(slice));
-    }
-
-    static Parameters parametersOf(const QString& preset)
-    {
-        Parameters parameters;
-        apply(*findPreset(methodPresets(), preset.toStdString()), parameters);
-        return parameters;
-    }
-
-    int steps() const { return static_cast<int>(room.scan.recording.slices.size()); }
-};
-
-const Conditions& wayOf(const WhyNot& answer, std::string_view name)
-{
-    const auto found =
-        std::find_if(answer.ways.begin(), answer.ways.end(), [&](const Conditions& w) { return w.name == name; });
-    if (found == answer.ways.end())
-        qFatal("there is no such way");
-    return *found;
-}
 
 /// What the state after a phase says of a plane; null where there is none.
 const Plane* planeAfter(const PhaseState& state, PlaneId id)

@@ -43,22 +43,25 @@ void SliceModelTest::init()
     sketch->slice = slice;
     SliceTrace& trace = sketch->trace;
     trace.runs = {{0, 59, 60}, {64, 99, 36}};
-    trace.pieces = {{0, 40, 41, 0.7, PieceFate::Segment, 0, {{"points", 41, Comparison::GreaterEqual, 7}}},
-                    {41,
-                     59,
-                     19,
-                     0.124,
-                     PieceFate::TooShort,
-                     -1,
-                     {{"points", 19, Comparison::GreaterEqual, 7}, {"length", 0.124, Comparison::GreaterEqual, 0.2}}},
-                    {64, 66, 3, 0.03, PieceFate::TooFewPoints, -1, {{"points", 3, Comparison::GreaterEqual, 7}}},
-                    {67, 99, 33, 0.6, PieceFate::Segment, 1, {}}};
+    trace.pieces = {
+        {0, 40, 41, 0.7, PieceFate::Segment, 0, {{"points", 41, Comparison::GreaterEqual, 7}}},
+        {41,
+         59,
+         19,
+         0.124,
+         PieceFate::TooShort,
+         -1,
+         {{"points", 19, Comparison::GreaterEqual, 7}, {"length", 0.124, Comparison::GreaterEqual, 0.2}}},
+        {64, 66, 3, 0.03, PieceFate::TooFewPoints, -1, {{"points", 3, Comparison::GreaterEqual, 7}}},
+        {67, 97, 31, 0.6, PieceFate::Segment, 1, {}},
+        {98, 98, 1, 0.0, PieceFate::OffTheLines, -1, {{"line_distance", 0.0512, Comparison::LessEqual, 0.03}}},
+        {99, 99, 1, 0.0, PieceFate::OffTheLines, -1, {{"line_chi2", 12.34, Comparison::LessEqual, 9.0}}}};
     trace.splits = {{41, {"chord_distance", 0.0512, Comparison::Greater, 0.03}},
                     {67, {"two_lines_gain", 83.21, Comparison::Greater, 25.0}}};
     trace.breaks = {{59, 64, 2.5, 0.106, false}};
     trace.joins = {{80, 81}};
-    sketch->colours.resize(4);
-    sketch->owners = {"P03", "", "", ""};
+    sketch->colours.resize(6);
+    sketch->owners = {"P03", "", "", "", "", ""};
     model_.setSketch(sketch);
 }
 
@@ -69,7 +72,7 @@ void SliceModelTest::rowsStandInBearingOrder()
         whats << cell(row, SliceColumn::What);
 
     QCOMPARE(whats, (QStringList{"Segment 63.0", "✘ Discarded", "◆ Split point", "□ Breakpoint", "✘ Discarded",
-                                 "Segment 63.1", "◆ Split point", "○ Joined"}));
+                                 "Segment 63.1", "◆ Split point", "○ Joined", "✘ Discarded", "✘ Discarded"}));
 }
 
 void SliceModelTest::aKeptPieceNamesItsPlane()
@@ -86,6 +89,8 @@ void SliceModelTest::aDiscardedPieceSaysWhyWithTheNumbers()
 {
     QCOMPARE(cell(1, SliceColumn::Why), QStringLiteral("Too short: length 0.124 m < 0.200 m"));
     QCOMPARE(cell(4, SliceColumn::Why), QStringLiteral("Too few points: points 3 < 7"));
+    QCOMPARE(cell(8, SliceColumn::Why), QStringLiteral("Off the lines beside it: 0.051 m > 0.030 m"));
+    QCOMPARE(cell(9, SliceColumn::Why), QStringLiteral("Off the lines beside it: χ² 12.3 > 9.0"));
     QCOMPARE(model_.sentence(1),
              QStringLiteral("✘ Discarded: Too short: length 0.124 m < 0.200 m (19 points, 0.124 m)"));
 }
@@ -109,7 +114,7 @@ void SliceModelTest::segmentsAreFoundByTheirIds()
 
 void SliceModelTest::theSummaryCounts()
 {
-    QCOMPARE(model_.summary(), QStringLiteral("Step 63, φ 81.9°: 2 runs, 2 segments, 2 discarded"));
+    QCOMPARE(model_.summary(), QStringLiteral("Step 63, φ 81.9°: 2 runs, 2 segments, 4 discarded"));
 }
 
 void SliceModelTest::withoutASliceThereIsNothing()
