@@ -126,7 +126,7 @@ void RandomUser::triggerAction()
 void RandomUser::useMouseInView()
 {
     QWidget& view = shown_.parts.window->view();
-    if (!view.isVisible())
+    if (!view.isVisible() || view.size().isEmpty())
         return;
     const auto place = [&] { return QPoint(below(view.width()), below(view.height())); };
     const auto button =
@@ -202,7 +202,8 @@ void RandomUser::useTable(QWidget* within)
             tables.push_back(widget);
     }
     auto* table = qobject_cast<QTableView*>(anyOf(tables));
-    if (table == nullptr)
+    // A dock that was made small shows no cell.
+    if (table == nullptr || table->viewport()->size().isEmpty())
         return;
     const QPoint place(below(table->viewport()->width()), below(table->viewport()->height()));
     note(QStringLiteral("cell of ") + nameOf(*table));
