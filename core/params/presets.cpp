@@ -27,7 +27,7 @@ const std::vector<Preset>& methodPresets()
           {"planes.flatness", "0.002"},
           {"planes.min-segments", "3"},
           {"planes.min-slices", "3"},
-          {"planes.max-normal-sigma", "3"},
+          {"planes.max-normal-sigma", "5"},
           {"planes.max-contested", "0.35"}}},
         {"paper", "the published method, with its formulas corrected: raw end points, metric thresholds", {}},
     };

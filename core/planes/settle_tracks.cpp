@@ -19,6 +19,8 @@ constexpr double kContent = 2.0;
 constexpr double kStraightChi = 2.0;
 /// However coarse the scan, a plane has so many points.
 constexpr double kFewestPoints = 12.0;
+/// And as many that do not lie one upon the other next to the pitch axis.
+constexpr double kFewestSpreadPoints = 10.0;
 /// Planes of more segments are not thinned out one by one.
 constexpr std::size_t kThinned = 60;
 
@@ -95,6 +97,19 @@ double bentShare(const PlaneTrack& plane, const TrackMap& map)
             bent += s.points;
     }
     return static_cast<double>(bent) / static_cast<double>(plane.points);
+}
+
+/// How many of a plane's points there would be if all its beams were as far apart as those of neighbouring slices are
+/// at right angles to the pitch axis: next to that axis all slices look the same way, and any number of points fills no
+/// area that would tell a plane.
+double spreadPoints(const PlaneTrack& plane, const TrackMap& map)
+{
+    double sum = 0.0;
+    for (const SegmentNumber number : plane.members) {
+        const SegmentStatistics& s = map.segment(number).statistics;
+        sum += s.points * std::abs(s.v) / std::hypot(s.u, s.v);
+    }
+    return sum;
 }
 
 /// Degrees of freedom of a plane's χ²: two numbers a segment, less three of the plane.
@@ -224,6 +239,7 @@ void dropUnfounded(TrackMap& map, const Parameters& parameters, StepRecorder& re
         const Strip strip = stripOf(plane, map);
         std::vector<Test> tests{
             {"points", static_cast<double>(plane.points), Comparison::GreaterEqual, minPoints},
+            {"spread_points", spreadPoints(plane, map), Comparison::GreaterEqual, kFewestSpreadPoints},
             {"segments", static_cast<double>(plane.members.size()), Comparison::GreaterEqual,
              plane.ofPair ? 2.0 : static_cast<double>(parameters.planes.minSegments)},
             {"slices", static_cast<double>(plane.slices), Comparison::GreaterEqual,

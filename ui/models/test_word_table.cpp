@@ -70,6 +70,10 @@ std::span<const TestWords> allTestWords()
         TestWords{"points", Keep, "points", Count, Keys{"likelihood.min-solid-angle", "likelihood.enough-points"},
                   "How many scan points the plane has, against those that fill the smallest solid angle of a "
                   "plane."},
+        TestWords{
+            "spread_points", Any, "points, spread", Count, Keys{},
+            "How many scan points the plane has, each counted by how far slices are apart there: next to the pitch "
+            "axis all slices see the same."},
         TestWords{"extent", Any, "extent", Metre, Keys{"planes.min-extent", "planes.min-extent-angle"},
                   "How far the plane's segments reach in its shorter direction. The limit grows with range."},
         TestWords{"normal_sigma", Any, "σ of n", Angle, Keys{"planes.max-normal-sigma", ""},

@@ -17,6 +17,18 @@ namespace {
 /// where the plane's own makes less than this share of the variance.
 constexpr double kSmallShare = 0.1;
 
+/// A plane's points, each counted by the sine of its angle to the pitch axis.
+double spreadPoints(const Plane& plane, const Snapshot& snapshot)
+{
+    double sum = 0.0;
+    for (const SegmentId& id : plane.segments) {
+        const LineSegment& s = snapshot.segments[id];
+        const Eigen::Vector3d ray = s.moments.mean - s.viewpoint;
+        sum += s.points * ray.tail<2>().norm() / ray.norm();
+    }
+    return sum;
+}
+
 double meanIncidence(const Plane& plane, const Snapshot& snapshot)
 {
     double sum = 0.0;
@@ -231,6 +243,7 @@ void ToldPreciseNumbersTest::unfoundedPlanesAreTooSmallOrMetTooShallow()
                 const auto told = [&](std::string_view name) { return testOf(decision.tests, name); };
                 const bool isPair = ofPair.contains(plane.id);
                 QVERIFY(recomputed.agree(phase, told("points"), plane.points, fewestPoints, 1e-6));
+                QVERIFY(recomputed.agree(phase, told("spread_points"), spreadPoints(plane, *phase.before), 10.0, 1e-2));
                 QVERIFY(recomputed.agree(phase, told("segments"), static_cast<double>(plane.segments.size()),
                                          isPair ? 2.0 : p.minSegments));
                 QVERIFY(recomputed.agree(phase, told("slices"), static_cast<double>(steps.size()),

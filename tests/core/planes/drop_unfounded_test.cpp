@@ -18,6 +18,7 @@ class DropUnfoundedTest : public QObject {
 private slots:
     void aFoundedPlaneStays();
     void aPlaneFillsItsSolidAngle();
+    void aPlaneIsNoPatchNextToThePitchAxis();
     void aPlaneHasItsSegmentsAndSlices();
     void aPairNeedsTwoSlicesOnly();
     void aNarrowPlaneThatStandsFreeIsAPole_data();
@@ -55,7 +56,22 @@ void DropUnfoundedTest::aPlaneFillsItsSolidAngle()
     fewer.scan.parameters.likelihood.minSolidAngle = 0.0;
     few.scan.parameters.planes.maxNormalSigma = fewer.scan.parameters.planes.maxNormalSigma = degrees(45.0);
     QVERIFY(few.droppedFor().empty());
-    QVERIFY((fewer.droppedFor() == Names{"points"}));
+    QVERIFY((fewer.droppedFor() == Names{"points", "spread_points"}));
+}
+
+void DropUnfoundedTest::aPlaneIsNoPatchNextToThePitchAxis()
+{
+    // Beams 709 to 719 are those at 177.25° to 179.75°, at 1.5° from the pitch axis on average: eleven points of a
+    // slice count as 0.29, and ten are those of 35 slices.
+    const auto patch = [](int slices) {
+        OneWall wall(slices, {Eigen::Vector3d{-1.0, 0.0, 0.0}, 1.2, 709, 719}, degrees(60.0));
+        wall.scan.parameters.planes.maxNormalSigma = degrees(45.0);
+        wall.scan.parameters.planes.minIncidence = 0.0;
+        wall.scan.parameters.likelihood.stripWidth = 0.0;
+        return wall.droppedFor();
+    };
+    QVERIFY((patch(32) == Names{"spread_points"}));
+    QVERIFY(patch(38).empty());
 }
 
 void DropUnfoundedTest::aPlaneHasItsSegmentsAndSlices()
