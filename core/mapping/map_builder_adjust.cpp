@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mapping/contradictions.h"
 #include "core/mapping/fuse_planes.h"
 #include "core/mapping/map_builder.h"
 #include "core/mapping/map_covariances.h"
@@ -69,6 +70,9 @@ Result<MapAdjustment> MapBuilder::adjustToUnevenness(const MapAdjustment& adjust
         flatness = found;
         done = adjustWhole();
     }
+    // Seen this closely, some of what matched by what was told does not.
+    if (done && openContradictions(map_) > 0)
+        done = adjustWhole();
     for (std::size_t stop = 0; stop < told.size(); ++stop)
         map_.stops[stop].stop = told[stop];
     return done;

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Planewright authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include "core/mapping/building_map.h"
+
+namespace planewright {
+
+/// Leaves sightings open that contradict all others of their plane, three at least, which agree with each other: a
+/// stop that took two surfaces for one tells of a plane in between, and is surer of it than those that saw less. Only
+/// where no other sighting could be the wrong one, and nobody matched by hand. Returns how many: the map is to be
+/// adjusted again.
+int openContradictions(BuildingMap& map);
+
+}  // namespace planewright
