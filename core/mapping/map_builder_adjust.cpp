@@ -108,6 +108,7 @@ void MapBuilder::adjustNear(std::size_t number, std::span<const std::size_t> nea
             adjusted.push_back(stop);
     }
     std::vector<Eigen::Vector3d> before;
+    before.reserve(adjusted.size());
     for (const std::size_t stop : adjusted)
         before.push_back(map_.stops[stop].pose.translation);
     // Where it finds no solution the stop stays as it was registered.

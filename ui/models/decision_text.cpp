@@ -11,6 +11,7 @@
 #include <QStringList>
 
 #include "core/types/plane_words.h"
+#include "ui/models/number_text.h"
 #include "ui/models/parameter_model.h"
 
 namespace planewright {
