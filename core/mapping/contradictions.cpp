@@ -72,20 +72,13 @@ std::optional<std::size_t> contradicting(const BuildingMap& map, const MapPlane&
     return othersAgree && ofAll - least > kContradicts && next - least > kSurely ? std::optional(which) : std::nullopt;
 }
 
-bool isByHand(const BuildingMap& map, const MapPlane& plane)
-{
-    return std::ranges::any_of(plane.sightings, [&](const Sighting& sighting) {
-        return map.stops[sighting.stop].matches[sighting.plane].isByHand;
-    });
-}
-
 }  // namespace
 
 int openContradictions(BuildingMap& map)
 {
     int opened = 0;
     for (std::size_t number = 0; number < map.planes.size(); ++number) {
-        while (map.planes[number].sightings.size() > 2 && !isByHand(map, map.planes[number])) {
+        while (map.planes[number].sightings.size() > 2 && !isByHand(map, number)) {
             const auto which = contradicting(map, map.planes[number]);
             if (!which)
                 break;

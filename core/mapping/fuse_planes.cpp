@@ -39,7 +39,7 @@ public:
     {
         int decided = 0;
         for (std::size_t number = 0; number < map_.planes.size(); ++number) {
-            while (!map_.planes[number].sightings.empty() && !isByHand(number) && fusePlane(number))
+            while (!map_.planes[number].sightings.empty() && !isByHand(map_, number) && fusePlane(number))
                 ++decided;
         }
         for (std::size_t stop = 0; stop < map_.stops.size(); ++stop) {
@@ -70,7 +70,7 @@ private:
     bool fusePlane(std::size_t number)
     {
         const auto other = onlyFit(candidateOf(number));
-        if (!other || *other <= number || isByHand(*other))
+        if (!other || *other <= number || isByHand(map_, *other))
             return false;
         // It must be the only one from there, too.
         if (onlyFit(candidateOf(*other)) != number)
@@ -78,14 +78,6 @@ private:
         mergePlanes(map_, number, *other);
         markMatched(number);
         return true;
-    }
-
-    /// True where somebody said that a sighting belongs to a plane.
-    bool isByHand(std::size_t plane) const
-    {
-        return std::ranges::any_of(map_.planes[plane].sightings, [&](const Sighting& sighting) {
-            return map_.stops[sighting.stop].matches[sighting.plane].isByHand;
-        });
     }
 
     /// Decides what an open plane of a stop is.

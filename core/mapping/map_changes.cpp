@@ -79,6 +79,13 @@ double chiSquareOf(const BuildingMap& map, const Sighting& sighting, std::size_t
     return chiSquare(seenFrom(map.planes[plane].parameters, middle), seenFrom(sightingInMap(map, sighting), middle));
 }
 
+bool isByHand(const BuildingMap& map, std::size_t plane)
+{
+    return std::ranges::any_of(map.planes[plane].sightings, [&](const Sighting& sighting) {
+        return map.stops[sighting.stop].matches[sighting.plane].isByHand;
+    });
+}
+
 void removeSighting(BuildingMap& map, const Sighting& sighting)
 {
     const auto plane = map.stops[sighting.stop].matches[sighting.plane].plane;

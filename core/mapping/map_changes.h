@@ -27,6 +27,9 @@ std::size_t addPlane(BuildingMap& map, const Sighting& sighting);
 /// How far a stop's plane, where the stop stands, is from a plane of the map; both taken as independent: 3 expected.
 double chiSquareOf(const BuildingMap& map, const Sighting& sighting, std::size_t plane);
 
+/// True where somebody said that a sighting belongs to a plane.
+bool isByHand(const BuildingMap& map, std::size_t plane);
+
 /// Takes a sighting off its plane.
 void removeSighting(BuildingMap& map, const Sighting& sighting);
 

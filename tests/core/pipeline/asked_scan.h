@@ -38,6 +38,20 @@ struct AskedScan {
     int steps() const { return static_cast<int>(room.scan.recording.slices.size()); }
 };
 
+/// What is asked about: segments of the newest slices and of the middle of planes.
+inline std::vector<SegmentId> askedSegments(const Snapshot& snapshot)
+{
+    std::vector<SegmentId> asked;
+    const std::size_t slices = snapshot.segments.slices();
+    for (std::size_t place = slices < 2 ? 0 : slices - 2; place < slices; ++place) {
+        for (const LineSegment& segment : snapshot.segments.slice(place))
+            asked.push_back(segment.id);
+    }
+    for (const auto& plane : snapshot.planes)
+        asked.push_back(plane->segments[plane->segments.size() / 2]);
+    return asked;
+}
+
 inline const Conditions& wayOf(const WhyNot& answer, std::string_view name)
 {
     const auto found =

@@ -54,6 +54,14 @@ inline bool holds(const std::vector<SegmentId>& segments, const SegmentId& segme
     return std::find(segments.begin(), segments.end(), segment) != segments.end();
 }
 
+/// The plane that a segment belongs to; null for none.
+inline const Plane* ownerOf(const SegmentId& segment, const Snapshot& snapshot)
+{
+    const auto owner = std::find_if(snapshot.planes.begin(), snapshot.planes.end(),
+                                    [&](const auto& plane) { return holds(plane->segments, segment); });
+    return owner == snapshot.planes.end() ? nullptr : owner->get();
+}
+
 /// A simulated scan, gone through phase by phase.
 struct ToldScan {
     Recording recording;

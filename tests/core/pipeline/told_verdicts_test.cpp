@@ -42,11 +42,8 @@ struct Fates {
 
 PlaneId ownerIn(const Snapshot& snapshot, const SegmentId& segment)
 {
-    for (const auto& plane : snapshot.planes) {
-        if (holds(plane->segments, segment))
-            return plane->id;
-    }
-    return kNoPlane;
+    const Plane* owner = ownerOf(segment, snapshot);
+    return owner == nullptr ? kNoPlane : owner->id;
 }
 
 }  // namespace

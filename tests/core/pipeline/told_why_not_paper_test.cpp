@@ -59,29 +59,6 @@ struct PaperTwin {
     }
 };
 
-const Plane* ownerOf(const SegmentId& segment, const Snapshot& snapshot)
-{
-    for (const auto& plane : snapshot.planes) {
-        if (holds(plane->segments, segment))
-            return plane.get();
-    }
-    return nullptr;
-}
-
-/// What is asked about: segments of the newest slices and of the middle of planes.
-std::vector<SegmentId> askedSegments(const Snapshot& snapshot)
-{
-    std::vector<SegmentId> asked;
-    const std::size_t slices = snapshot.segments.slices();
-    for (std::size_t place = slices < 2 ? 0 : slices - 2; place < slices; ++place) {
-        for (const LineSegment& segment : snapshot.segments.slice(place))
-            asked.push_back(segment.id);
-    }
-    for (const auto& plane : snapshot.planes)
-        asked.push_back(plane->segments[plane->segments.size() / 2]);
-    return asked;
-}
-
 }  // namespace
 
 /// *Why not?* of `paper`: every number, worked out anew from the snapshot of the step.

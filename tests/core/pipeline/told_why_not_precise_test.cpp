@@ -78,27 +78,12 @@ private:
     static void visitSegments(AskedScan& scan, Visit visit)
     {
         visitSteps(scan, [&](const ToldPhase& phase, const PreciseTwin& twin) {
-            std::vector<SegmentId> asked;
-            const std::size_t slices = twin.now.segments.slices();
-            for (std::size_t place = slices - 2; place < slices; ++place) {
-                for (const LineSegment& segment : twin.now.segments.slice(place))
-                    asked.push_back(segment.id);
-            }
-            for (const auto& plane : twin.now.planes)
-                asked.push_back(plane->segments[plane->segments.size() / 2]);
-            for (const SegmentId& segment : asked) {
+            for (const SegmentId& segment : askedSegments(twin.now)) {
                 for (const auto& plane : twin.now.planes)
                     visit(phase, twin, twin.now.segments[segment], *plane,
                           *scan.replay.whyNot(phase.step, segment, PlaneRef{plane->id}));
             }
         });
-    }
-
-    static const Plane* ownerOf(const SegmentId& segment, const Snapshot& snapshot)
-    {
-        const auto owner = std::find_if(snapshot.planes.begin(), snapshot.planes.end(),
-                                        [&](const auto& plane) { return holds(plane->segments, segment); });
-        return owner == snapshot.planes.end() ? nullptr : owner->get();
     }
 };
 
