@@ -364,4 +364,9 @@ const std::vector<StoredEdit>& ScanSession::storedEdits() const
     return parts_->opened.edits;
 }
 
+const std::optional<ScanNotes>& ScanSession::imported() const
+{
+    return parts_->opened.imported;
+}
+
 }  // namespace planewright

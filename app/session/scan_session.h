@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "app/session/session_machine.h"
 #include "app/session/session_map.h"
 #include "app/session/session_options.h"
+#include "core/formats/recording_pwscan.h"
 #include "core/pipeline/plane_lives.h"
 #include "core/pipeline/step_replay.h"
 
@@ -144,6 +146,8 @@ public:
     const std::optional<InputDamage>& damage() const;
     /// The edits that were in it when it was opened, undone ones too.
     const std::vector<StoredEdit>& storedEdits() const;
+    /// Of a cloud that was imported: what a recording of it is to keep, its name and pose.
+    const std::optional<ScanNotes>& imported() const;
 
 signals:
     void stateChanged(planewright::SessionState state);

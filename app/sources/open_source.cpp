@@ -103,7 +103,9 @@ Result<OpenedSource> openFile(const std::string& path, double speed, const Clock
         opened.damage =
             InputDamage{static_cast<int>(file->recording.slices.size()), file->slicesLeftOut, file->warnings};
     opened.warnings = std::move(file->warnings);
-    if (file->notes && !file->isImported) {
+    if (file->isImported) {
+        opened.imported = std::move(file->notes);
+    } else if (file->notes) {
         Result<std::vector<ParametersFrom>> parameters = readParameterEvents(file->notes->events, path);
         if (parameters)
             opened.parameters = std::move(*parameters);

@@ -39,6 +39,7 @@ struct OpenedSource {
     std::optional<PwscanProject> project;    ///< of a `.pwscan`: where edits go
     int scan = 0;                            ///< its number in there
     std::vector<StoredEdit> edits;           ///< of this scan
+    std::optional<ScanNotes> imported;       ///< of a cloud: its name and pose, which a recording of it is to keep
 };
 
 /// What a laser on a tilt unit is set up with.

@@ -102,8 +102,9 @@ ScanResults resultsOf(const ScanAtThisMoment& scan, bool withLabels)
 /// What a `.pwscan` holds of a scan that has no file yet.
 ScanNotes notesOf(const WindowParts& parts)
 {
-    ScanNotes notes;
-    notes.scan.name = parts.session.status().source;
+    ScanNotes notes = parts.session.imported().value_or(ScanNotes{});
+    if (notes.scan.name.empty())
+        notes.scan.name = parts.session.status().source;
     notes.scan.state = ScanState::Complete;
     notes.events.push_back(parametersEvent(0, parts.session.parameters()));
     notes.edits = parts.edits.all();

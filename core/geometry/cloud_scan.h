@@ -34,7 +34,7 @@ struct CloudScan {
 };
 
 /// Divides points in the order of measurement into sweeps: one ends where the bearing turns back, or leaps by more than
-/// 45°.
+/// 45°. Of a scanner that sweeps to and fro, the first point after a turn belongs to the sweep that it begins.
 std::vector<CloudSlice> splitSweeps(std::span<const Eigen::Vector3f> points);
 
 }  // namespace planewright

@@ -88,6 +88,17 @@ std::vector<double> bearingsOf(const CloudSlice& slice, const Eigen::Vector3d& a
     return bearings;
 }
 
+/// Turns the slices round that were swept the other way: from then on bearings rise in all of them.
+void turnRound(std::vector<SeenBearings>& slices)
+{
+    for (SeenBearings& seen : slices) {
+        if (seen.bearings.back() >= seen.bearings.front())
+            continue;
+        std::reverse(seen.bearings.begin(), seen.bearings.end());
+        std::reverse(seen.slice->begin(), seen.slice->end());
+    }
+}
+
 /// The ranges of a slice's points; of two on one beam the first.
 std::vector<double> rangesOf(const CloudSlice& slice, int beams)
 {
@@ -119,6 +130,7 @@ Result<Recording> recoverScanner(CloudScan& cloud)
         seen.push_back({pitched.tilts[i], bearingsOf(slice, axis->direction, axis->ahead[pitched.numbers[i]]), &slice});
     }
     if (cloud.beams == 0) {
+        turnRound(seen);
         const auto numbered = numberBeams(seen);
         if (!numbered)
             return tl::unexpected{numbered.error()};

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include <Eigen/Geometry>
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
 #include <QUrl>
 #include <QtTest>
 
+#include "app/files/recording_file.h"
 #include "app/window/exports.h"
 #include "app/window/waiting.h"
 #include "tests/app/window/shown_window.h"
@@ -20,14 +23,16 @@ namespace planewright {
 namespace {
 
 /// What a depth camera 1.2 m above the floor of a room sees: 4 m to the wall ahead, 3 m to both sides, 1.4 m to the
-/// ceiling; x right, y down, z ahead.
-QByteArray roomAsPcd()
+/// ceiling; x right, y down, z ahead, the camera at `viewpoint`.
+QByteArray roomAsPcd(const Eigen::Vector3d& viewpoint = Eigen::Vector3d::Zero())
 {
     constexpr int kColumns = 160;
     constexpr int kRows = 120;
     QByteArray text = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " +
-                      QByteArray::number(kColumns) + "\nHEIGHT " + QByteArray::number(kRows) +
-                      "\nVIEWPOINT 0 0 0 1 0 0 0\nDATA ascii\n";
+                      QByteArray::number(kColumns) + "\nHEIGHT " + QByteArray::number(kRows) + "\nVIEWPOINT";
+    for (const double value : viewpoint)
+        text += " " + QByteArray::number(value);
+    text += " 1 0 0 0\nDATA ascii\n";
     for (int row = 0; row < kRows; ++row) {
         for (int column = 0; column < kColumns; ++column) {
             const double x = (column - 79.5) / 80.0;
@@ -35,8 +40,9 @@ QByteArray roomAsPcd()
             const double sideways = 3.0 / std::abs(x);
             const double upright = y > 0.0 ? 1.2 / y : 1.4 / -y;
             const double ahead = std::min({4.0, sideways, upright});
-            text += QByteArray::number(ahead * x, 'f', 6) + " " + QByteArray::number(ahead * y, 'f', 6) + " " +
-                    QByteArray::number(ahead, 'f', 6) + "\n";
+            const Eigen::Vector3d point = viewpoint + ahead * Eigen::Vector3d{x, y, 1.0};
+            text += QByteArray::number(point.x(), 'f', 6) + " " + QByteArray::number(point.y(), 'f', 6) + " " +
+                    QByteArray::number(point.z(), 'f', 6) + "\n";
         }
     }
     return text;
@@ -55,6 +61,7 @@ private slots:
     void aCloudThatIsDroppedBecomesAScan();
     void aCloudThatIsNoneIsToldAndNothingIsOpened();
     void aCopyOfAnImportOpensWithTheSamePlanes();
+    void aCopyOfAnImportKeepsItsPose();
 
 private:
     QString write(const QString& name, const QByteArray& bytes);
@@ -152,6 +159,28 @@ void ImportWindowTest::aCopyOfAnImportOpensWithTheSamePlanes()
         QVERIFY(after[i]->normal == before[i]->normal);
         QVERIFY(after[i]->distance == before[i]->distance);
     }
+}
+
+void ImportWindowTest::aCopyOfAnImportKeepsItsPose()
+{
+    const Eigen::Vector3d viewpoint{1.0, 2.0, 3.0};
+    drop(write("room.pcd", roomAsPcd(viewpoint)));
+    WindowParts& parts = shown_->parts;
+    QVERIFY(waitUntil([&] { return parts.session.state() == SessionState::Review; }, kPatience));
+    const QString copy = folder_->filePath("copy.pwscan");
+
+    const auto writing = copyOf(parts, copy);
+
+    QVERIFY(writing);
+    QVERIFY((*writing)());
+    const auto read = loadRecordingFile(copy.toStdString());
+    QVERIFY(read && read->notes);
+    QCOMPARE(QString::fromStdString(read->notes->scan.name), QStringLiteral("room.pcd"));
+    QVERIFY(read->notes->scan.pose);
+    QVERIFY(read->notes->scan.pose->translation == viewpoint);
+    // The camera's y is down and its z ahead.
+    QVERIFY(read->notes->scan.pose->rotation.isApprox(
+        Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi / 2.0, Eigen::Vector3d::UnitX())), 1e-12));
 }
 
 }  // namespace planewright

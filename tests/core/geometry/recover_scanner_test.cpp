@@ -3,6 +3,7 @@
 
 #include "core/geometry/recover_scanner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -88,6 +89,8 @@ private slots:
     void slicesInOnePlaneHaveNoAxis();
     void bearingsThatDoNotRiseAreRefused();
     void sweepsEndWhereTheBearingTurnsBack();
+    void sweepsToAndFroAreOneScan_data();
+    void sweepsToAndFroAreOneScan();
 };
 
 void RecoverScannerTest::aNoddingScannerIsFoundAsItWas()
@@ -293,6 +296,56 @@ void RecoverScannerTest::sweepsEndWhereTheBearingTurnsBack()
     QCOMPARE(slices.size(), std::size_t(3));
     for (const CloudSlice& slice : slices)
         QCOMPARE(slice.size(), std::size_t(13));
+}
+
+void RecoverScannerTest::sweepsToAndFroAreOneScan_data()
+{
+    QTest::addColumn<int>("atTurns");
+    QTest::newRow("both sweeps measure the beam at the turn") << 0;
+    QTest::newRow("the sweep back begins one beam on") << 1;
+    QTest::newRow("no returns at the turns, but for the first of the sweep back") << 2;
+}
+
+/// Beams from 10 to 170 degrees; odd slices are swept from the last to the first.
+void RecoverScannerTest::sweepsToAndFroAreOneScan()
+{
+    QFETCH(int, atTurns);
+    const auto isMissing = [&](int slice, int beam) {
+        const bool isBack = slice % 2 == 1;
+        const int fromStart = isBack ? 80 - beam : beam;
+        if (atTurns == 1)
+            return slice > 0 && fromStart == 0;
+        return atTurns == 2 && (isBack ? beam : 80 - beam) < 3;
+    };
+    CloudScan numbered = noddingCloud(16, 81, isMissing);
+    std::vector<Eigen::Vector3f> points;
+    for (std::size_t i = 0; i < numbered.slices.size(); ++i) {
+        CloudSlice swept = numbered.slices[i];
+        if (i % 2 == 1)
+            std::reverse(swept.begin(), swept.end());
+        for (const CloudPoint& point : swept)
+            points.push_back(point.place);
+    }
+    CloudScan cloud;
+    cloud.slices = splitSweeps(points);
+
+    const auto recording = recoverScanner(cloud);
+
+    QVERIFY2(recording, recording ? "" : recording.error().message.c_str());
+    QCOMPARE(cloud.beams, 81);
+    QCOMPARE(cloud.slices.size(), numbered.slices.size());
+    // Which way the axis points decides from which side beams are counted.
+    const bool isMirrored = (recording->description.attitude * Eigen::Vector3d::UnitX()).x() < 0.0;
+    for (std::size_t i = 0; i < cloud.slices.size(); ++i) {
+        QCOMPARE(cloud.slices[i].size(), numbered.slices[i].size());
+        for (std::size_t k = 0; k < cloud.slices[i].size(); ++k) {
+            const std::size_t other = isMirrored ? cloud.slices[i].size() - 1 - k : k;
+            QCOMPARE(cloud.slices[i][k].place, numbered.slices[i][other].place);
+            QCOMPARE(cloud.slices[i][k].beam,
+                     isMirrored ? 80 - numbered.slices[i][other].beam : numbered.slices[i][other].beam);
+        }
+    }
+    QVERIFY(largestOff(cloud, *recording) < kFloat);
 }
 
 }  // namespace planewright
