@@ -42,6 +42,7 @@ PlaceDialog::PlaceDialog(const Words& words, const std::optional<Pose>& known, c
 {
     setObjectName(name_ + QStringLiteral("Dialog"));
     setWindowTitle(words.title);
+    form_->setHorizontalSpacing(12);
     isKnown_->setObjectName(name_ + QStringLiteral("Known"));
     isKnown_->setChecked(known.has_value());
     form_->addRow(isKnown_);
@@ -61,7 +62,7 @@ PlaceDialog::PlaceDialog(const Words& words, const std::optional<Pose>& known, c
     heading_->setDecimals(2);
     heading_->setSuffix(QStringLiteral("°"));
     form_->addRow(tr("&Turned to the left"), heading_);
-    show(before_);
+    fill(before_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     form_->addRow(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -91,7 +92,7 @@ void PlaceDialog::setPlace(const Pose& pose)
     {
         const QSignalBlocker quiet(this);
         isKnown_->setChecked(true);
-        show(pose);
+        fill(pose);
     }
     emit placeChanged();
 }
@@ -116,7 +117,7 @@ void PlaceDialog::offerToFit(const QString& text, std::function<std::pair<Pose, 
     });
 }
 
-void PlaceDialog::show(const Pose& pose)
+void PlaceDialog::fill(const Pose& pose)
 {
     for (int axis = 0; axis < 3; ++axis)
         place_[axis]->setValue(pose.translation[axis]);

@@ -47,7 +47,7 @@ signals:
     void placeChanged();
 
 private:
-    void show(const Pose& pose);
+    void fill(const Pose& pose);
 
     QString name_;
     Pose before_;
