@@ -36,7 +36,8 @@ auto readFile(const std::string& path, Read read) -> decltype(read(std::declval<
     return read(**input);
 }
 
-Result<MapInput> extractStops(const MapOptions& options, std::vector<StopInput> inputs)
+Result<MapInput> extractStops(const MapOptions& options, const MappingParameters& mapping,
+                              std::vector<StopInput> inputs)
 {
     MapInput all{std::move(inputs), {}, {}, {}, false};
     const auto choose = [&options](const RecordingFile& file, const std::string& path) {
@@ -45,7 +46,7 @@ Result<MapInput> extractStops(const MapOptions& options, std::vector<StopInput> 
     Progress progress("extracting, stop");
     for (const StopInput& input : all.inputs) {
         progress.show(all.stops.size(), all.inputs.size());
-        auto read = readStop(input, choose, options.noEdits);
+        auto read = readStop(input, choose, mapping, options.noEdits);
         if (!read)
             return tl::unexpected{read.error()};
         for (const std::string& warning : read->warnings)
@@ -139,7 +140,7 @@ Result<ExitCode> mapStops(MapOptions options)
     MapOutputs outputs(options);
     if (const auto opened = outputs.open(*inputs); !opened)
         return tl::unexpected{opened.error()};
-    auto input = extractStops(options, std::move(*inputs));
+    auto input = extractStops(options, *mapping, std::move(*inputs));
     if (!input)
         return tl::unexpected{input.error()};
     if (const auto taken = takeOdometry(options, input->stops); !taken)

@@ -98,8 +98,8 @@ Result<std::vector<StopInput>> stopInputs(const std::vector<std::string>& paths)
     return inputs;
 }
 
-Result<ReadStop> readStop(const StopInput& input, const ChooseParameters& chooseParameters, bool noEdits,
-                          const std::stop_token& stop)
+Result<ReadStop> readStop(const StopInput& input, const ChooseParameters& chooseParameters,
+                          const MappingParameters& mapping, bool noEdits, const std::stop_token& stop)
 {
     ReadStop read;
     read.scan = {input.name, input.path, input.choice.scan.value_or(0), input.floor, input.odometry, {}};
@@ -120,10 +120,12 @@ Result<ReadStop> readStop(const StopInput& input, const ChooseParameters& choose
         read.scan.odometry = file->notes->scan.pose;
     read.damaged = file->damaged;
     read.warnings = file->warnings;
-    const auto parameters = chooseParameters(*file, input.path);
+    auto parameters = chooseParameters(*file, input.path);
     if (!parameters)
         return tl::unexpected{parameters.error()};
     read.parameters = parameters->back().parameters;
+    for (ParametersFrom& each : *parameters)
+        each.parameters = forMap(each.parameters, mapping);
     Recording& recording = file->recording;
     correctRecording(recording, parameters->front().parameters.sensor);
     const auto snapshot = snapshotOf(recording, *parameters, stop);

@@ -12,6 +12,7 @@
 #include "app/files/recording_file.h"
 #include "app/mapping/map_results.h"
 #include "core/formats/parameter_events.h"
+#include "core/params/mapping_parameters.h"
 #include "core/params/parameters.h"
 #include "core/types/error.h"
 
@@ -45,9 +46,10 @@ struct ReadStop {
     std::vector<std::string> warnings;     ///< of reading and of edits that could not be applied
 };
 
-/// Reads a stop and extracts its planes, with the edits that its file holds unless `noEdits`. Errors: Unreadable,
-/// naming the file; Interrupted after a stop; those of `chooseParameters`.
-Result<ReadStop> readStop(const StopInput& input, const ChooseParameters& chooseParameters, bool noEdits = false,
+/// Reads a stop and extracts its planes for a map, with the edits that its file holds unless `noEdits`. Errors:
+/// Unreadable, naming the file; Interrupted after a stop; those of `chooseParameters`.
+Result<ReadStop> readStop(const StopInput& input, const ChooseParameters& chooseParameters,
+                          const MappingParameters& mapping = {}, bool noEdits = false,
                           const std::stop_token& stop = {});
 
 }  // namespace planewright

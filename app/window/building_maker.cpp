@@ -66,7 +66,7 @@ Result<std::vector<StopScan>> BuildingMaker::stopsOf(const std::vector<StopInput
         const int scan = input.choice.scan.value_or(0);
         if (!read_.contains(scan)) {
             progress("extracting stop", stops.size(), inputs.size());
-            auto read = readStop(input, choose, false, stop);
+            auto read = readStop(input, choose, {}, false, stop);
             if (!read)
                 return tl::unexpected{read.error()};
             read_[scan] = std::move(*read);

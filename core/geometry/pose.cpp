@@ -83,7 +83,14 @@ Matrix6d odometryCovariance(const Pose& motion, const OdometryNoise& noise)
     const double turn = square(noise.turnPerRootMetre) * way + square(noise.tilt);
     Vector6d variances;
     variances << square(noise.tilt), square(noise.tilt), turn, place, place, square(noise.height);
-    return variances.asDiagonal();
+    Matrix6d covariance = variances.asDiagonal();
+    // Half of the tilt is where the first stop stands: a way that is level there leads up or down, seen from it.
+    const double ofFirst = 0.5 * square(noise.tilt);
+    const Eigen::Vector3d& t = motion.translation;
+    covariance(5, 5) += ofFirst * t.head<2>().squaredNorm();
+    covariance(0, 5) = covariance(5, 0) = ofFirst * t.y();
+    covariance(1, 5) = covariance(5, 1) = -ofFirst * t.x();
+    return covariance;
 }
 
 }  // namespace planewright

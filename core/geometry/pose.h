@@ -52,7 +52,7 @@ struct Motion {
 struct OdometryNoise {
     double way = 0.02;                    ///< standard deviation of the place, as share of the way
     double turnPerRootMetre = 5.5192e-3;  ///< of the heading: 1° on 10 m [rad/√m]
-    double tilt = 3.5e-3;                 ///< of roll and pitch: 0.2° [rad]
+    double tilt = 3.5e-3;                 ///< of roll and pitch from one stop to the next: 0.2° [rad]
     double height = 5e-3;                 ///< of the height [m]
     double least = 2e-3;                  ///< of the place, however short the way [m]
 };

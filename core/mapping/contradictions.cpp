@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/mapping/map_changes.h"
@@ -15,10 +16,20 @@ namespace planewright {
 
 namespace {
 
-/// By how much χ² of all sightings must fall where the one that contradicts is left out.
+/// Groups of sightings whose planes are farther apart than this χ² are of several surfaces.
 constexpr double kContradicts = 50.0;
-/// And by how much more than where any other is left out.
+/// By how much less χ² of a sighting to its own group is than to any other.
 constexpr double kSurely = 13.8;
+/// χ² to the plane of all: a plane all of whose sightings are nearer has no two groups.
+constexpr double kDoubtful = 12.0;
+/// So many sightings are grouped one by one; of more, those that are near to the plane of all begin as one group.
+constexpr std::size_t kOneByOne = 64;
+
+/// Sightings that agree, by their places in the plane's list, and the plane that they make together.
+struct SightingGroup {
+    std::vector<std::size_t> members;
+    UncertainPlane plane;
+};
 
 /// The sightings of a plane, each where its stop stands, as seen from the middle of the first.
 std::vector<UncertainPlane> seenOf(const BuildingMap& map, const MapPlane& plane)
@@ -35,61 +46,187 @@ std::vector<UncertainPlane> seenOf(const BuildingMap& map, const MapPlane& plane
     return all;
 }
 
-/// χ² of all sightings but one about the plane that they make together: 3 degrees of freedom for each but the first.
-double chiWithout(const std::vector<UncertainPlane>& seen, std::optional<std::size_t> left)
+/// The plane of some sightings, and their χ² about it: 3 degrees of freedom for each but the first.
+std::pair<UncertainPlane, double> fusedOf(const std::vector<UncertainPlane>& seen,
+                                          const std::vector<std::size_t>& members)
 {
-    std::optional<UncertainPlane> plane;
+    UncertainPlane plane = seen[members.front()];
     double chi = 0.0;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (i == left)
-            continue;
-        if (plane)
-            chi += chiSquare(*plane, seen[i]);
-        plane = plane ? fused(*plane, seen[i]) : seen[i];
+    for (std::size_t i = 1; i < members.size(); ++i) {
+        chi += chiSquare(plane, seen[members[i]]);
+        plane = fused(plane, seen[members[i]]);
     }
-    return chi;
+    return {plane, chi};
 }
 
-/// The sighting that contradicts all others; none where it is not sure which.
-std::optional<std::size_t> contradicting(const BuildingMap& map, const MapPlane& plane)
+/// Where grouping begins: with each sighting alone, as far as they are few. None where nothing is doubtful, or too
+/// much.
+std::vector<SightingGroup> firstGroups(const std::vector<UncertainPlane>& seen)
 {
-    const std::vector<UncertainPlane> seen = seenOf(map, plane);
-    const double ofAll = chiWithout(seen, std::nullopt);
-    if (!(ofAll > kContradicts))
-        return std::nullopt;
-    double least = std::numeric_limits<double>::infinity();
-    double next = least;
-    std::size_t which = 0;
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        all.push_back(i);
+    const UncertainPlane plane = fusedOf(seen, all).first;
+    const auto doubtful =
+        std::ranges::stable_partition(all, [&](std::size_t i) { return chiSquare(plane, seen[i]) < kDoubtful; });
+    std::vector<SightingGroup> groups;
+    if (doubtful.empty() || doubtful.size() > kOneByOne)
+        return groups;
+    std::vector<std::size_t> near(all.begin(), doubtful.begin());
+    if (seen.size() > kOneByOne)
+        groups.push_back({near, fusedOf(seen, near).first});
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        const double chi = chiWithout(seen, i);
-        next = std::min(next, std::max(chi, least));
-        if (chi < least) {
-            least = chi;
-            which = i;
+        if (seen.size() <= kOneByOne || std::ranges::find(doubtful, i) != doubtful.end())
+            groups.push_back({{i}, seen[i]});
+    }
+    return groups;
+}
+
+/// The largest first, of equally large ones the one that saw the plane first.
+void sortBySize(std::vector<SightingGroup>& groups)
+{
+    std::ranges::sort(groups, [](const SightingGroup& a, const SightingGroup& b) {
+        return std::pair(b.members.size(), a.members.front()) < std::pair(a.members.size(), b.members.front());
+    });
+}
+
+/// Joins the two groups that are nearest to each other until all that are left contradict each other.
+std::vector<SightingGroup> groupsOf(const std::vector<UncertainPlane>& seen)
+{
+    std::vector<SightingGroup> groups = firstGroups(seen);
+    const auto apart = [&](std::size_t a, std::size_t b) { return chiSquare(groups[a].plane, groups[b].plane); };
+    std::vector<std::vector<double>> chis(groups.size());
+    for (std::size_t a = 0; a < groups.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b)
+            chis[a].push_back(apart(a, b));
+    }
+    while (groups.size() > 1) {
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t kept = 0;
+        std::size_t gone = 0;
+        for (std::size_t a = 0; a < groups.size(); ++a) {
+            for (std::size_t b = 0; b < a; ++b) {
+                if (chis[a][b] < least) {
+                    least = chis[a][b];
+                    kept = b;
+                    gone = a;
+                }
+            }
+        }
+        if (!(least < kContradicts))
+            break;
+        std::vector<std::size_t>& members = groups[kept].members;
+        members.insert(members.end(), groups[gone].members.begin(), groups[gone].members.end());
+        groups[kept].plane = fused(groups[kept].plane, groups[gone].plane);
+        const auto at = static_cast<std::ptrdiff_t>(gone);
+        groups.erase(groups.begin() + at);
+        chis.erase(chis.begin() + at);
+        for (std::size_t a = gone; a < groups.size(); ++a)
+            chis[a].erase(chis[a].begin() + at);
+        for (std::size_t a = 0; a < groups.size(); ++a) {
+            if (a != kept)
+                chis[std::max(a, kept)][std::min(a, kept)] = apart(a, kept);
         }
     }
-    const bool othersAgree = least < chiSquareLimit(3 * static_cast<int>(seen.size() - 2));
-    return othersAgree && ofAll - least > kContradicts && next - least > kSurely ? std::optional(which) : std::nullopt;
+    for (SightingGroup& group : groups)
+        std::ranges::sort(group.members);
+    sortBySize(groups);
+    return groups;
+}
+
+/// Takes the sightings out of their groups that might as well be of another one.
+std::vector<std::size_t> takeUnsure(std::vector<SightingGroup>& groups, const std::vector<UncertainPlane>& seen)
+{
+    std::vector<std::size_t> unsure;
+    std::vector<std::vector<std::size_t>> sure(groups.size());
+    for (std::size_t own = 0; own < groups.size(); ++own) {
+        for (const std::size_t i : groups[own].members) {
+            const double chi = chiSquare(groups[own].plane, seen[i]);
+            bool isSure = true;
+            for (std::size_t other = 0; other < groups.size(); ++other)
+                isSure = isSure && (other == own || chiSquare(groups[other].plane, seen[i]) > chi + kSurely);
+            (isSure ? sure[own] : unsure).push_back(i);
+        }
+    }
+    for (std::size_t own = 0; own < groups.size(); ++own)
+        groups[own].members = std::move(sure[own]);
+    std::erase_if(groups, [](const SightingGroup& group) { return group.members.empty(); });
+    sortBySize(groups);
+    return unsure;
+}
+
+/// True where there is a largest group, and all sightings of each group agree.
+bool doAgree(const std::vector<SightingGroup>& groups, const std::vector<UncertainPlane>& seen)
+{
+    return groups.size() > 1 && groups.front().members.size() > 1 &&
+           std::ranges::all_of(groups, [&](const SightingGroup& group) {
+               const int freedom = 3 * (static_cast<int>(group.members.size()) - 1);
+               return freedom == 0 || fusedOf(seen, group.members).second < chiSquareLimit(freedom);
+           });
+}
+
+void leaveOpen(BuildingMap& map, const Sighting& sighting, std::vector<std::size_t> rivals)
+{
+    removeSighting(map, sighting);
+    const double chi = chiSquareOf(map, sighting, rivals.front());
+    map.stops[sighting.stop].matches[sighting.plane] = {MatchState::Open, std::nullopt, std::move(rivals), chi, false};
+}
+
+/// Makes sightings a plane of their own, and gives its number.
+std::size_t makePlane(BuildingMap& map, const std::vector<Sighting>& group)
+{
+    for (const Sighting& sighting : group)
+        removeSighting(map, sighting);
+    const std::size_t own = addPlane(map, group.front());
+    map.stops[group.front().stop].matches[group.front().plane] = {MatchState::New, own, {}, 0.0, false};
+    for (std::size_t i = 1; i < group.size(); ++i) {
+        map.stops[group[i].stop].matches[group[i].plane] = {
+            MatchState::Matched, own, {}, chiSquareOf(map, group[i], own), false};
+        addSighting(map, own, group[i]);
+    }
+    return own;
+}
+
+/// Divides a plane, and says how many sightings left it.
+int divide(BuildingMap& map, std::size_t number)
+{
+    const std::vector<Sighting> sightings = map.planes[number].sightings;
+    const std::vector<UncertainPlane> seen = seenOf(map, map.planes[number]);
+    std::vector<SightingGroup> groups = groupsOf(seen);
+    if (groups.size() < 2)
+        return 0;
+    const std::vector<std::size_t> unsure = takeUnsure(groups, seen);
+    if (!doAgree(groups, seen))
+        return 0;
+    std::vector<std::size_t> planes{number};
+    for (std::size_t k = 1; k < groups.size(); ++k) {
+        std::vector<Sighting> group;
+        for (const std::size_t i : groups[k].members)
+            group.push_back(sightings[i]);
+        if (group.size() > 1)
+            planes.push_back(makePlane(map, group));
+        else
+            leaveOpen(map, group.front(), {number});
+    }
+    for (const std::size_t i : unsure)
+        leaveOpen(map, sightings[i], planes);
+    // The stop that saw it first may have been another one.
+    const Sighting& first = map.planes[number].sightings.front();
+    map.stops[first.stop].matches[first.plane].state = MatchState::New;
+    return static_cast<int>(sightings.size() - map.planes[number].sightings.size());
 }
 
 }  // namespace
 
-int openContradictions(BuildingMap& map)
+int divideContradictions(BuildingMap& map)
 {
-    int opened = 0;
-    for (std::size_t number = 0; number < map.planes.size(); ++number) {
-        while (map.planes[number].sightings.size() > 2 && !isByHand(map, number)) {
-            const auto which = contradicting(map, map.planes[number]);
-            if (!which)
-                break;
-            const Sighting sighting = map.planes[number].sightings[*which];
-            removeSighting(map, sighting);
-            map.stops[sighting.stop].matches[sighting.plane] = {
-                MatchState::Open, std::nullopt, {number}, chiSquareOf(map, sighting, number), false};
-            ++opened;
-        }
+    int moved = 0;
+    const std::size_t planes = map.planes.size();  // those that are made on the way agree
+    for (std::size_t number = 0; number < planes; ++number) {
+        if (map.planes[number].sightings.size() > 2 && !isByHand(map, number))
+            moved += divide(map, number);
     }
-    return opened;
+    return moved;
 }
 
 }  // namespace planewright

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t kAdjustedWith = 2;  // stops beside the one that joins
 constexpr int kFlatnessRounds = 4;
+constexpr int kContradictionRounds = 3;
 constexpr double kSameFlatness = 0.8;  // a flatness that is less by no more than this share is none to adjust by
 
 }  // namespace
@@ -71,7 +72,7 @@ Result<MapAdjustment> MapBuilder::adjustToUnevenness(const MapAdjustment& adjust
         done = adjustWhole();
     }
     // Seen this closely, some of what matched by what was told does not.
-    if (done && openContradictions(map_) > 0)
+    for (int round = 0; round < kContradictionRounds && done && divideContradictions(map_) > 0; ++round)
         done = adjustWhole();
     for (std::size_t stop = 0; stop < told.size(); ++stop)
         map_.stops[stop].stop = told[stop];

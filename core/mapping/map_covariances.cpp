@@ -94,13 +94,12 @@ void addSightings(const BuildingMap& map, std::size_t number, const Unknowns& un
         const Pose fromMiddle{stop.pose.rotation, stop.pose.translation - middle};
         const UncertainPlane seen = inMap(told.parameters, fromMiddle);
         const UncertainPlane known = seenFrom(plane.parameters, middle);
-        Eigen::Matrix3d byPlane = Eigen::Matrix3d::Zero();
-        byPlane.topLeftCorner<2, 2>() = seen.tangents.transpose() * known.tangents;
+        // By both at the map's plane: stop and plane moved together tell nothing, however far the sighting is off it.
+        Eigen::Matrix3d byPlane = Eigen::Matrix3d::Identity();
         byPlane.bottomLeftCorner<1, 2>() = -middle.transpose() * known.tangents;
-        byPlane(2, 2) = 1.0;
-        const Matrix3x6d byPose = -poseJacobian(seen, fromMiddle);
+        const Matrix3x6d byPose = -poseJacobian(known, fromMiddle);
         information.add<3, 6, 3>(unknowns.stops[sighting.stop], byPose, unknowns.planes[number], byPlane,
-                                 seen.covariance, difference(seen, known));
+                                 covarianceIn(known, seen), difference(known, seen));
     }
 }
 

@@ -129,7 +129,7 @@ private:
         std::ranges::stable_sort(options, {}, &LiveCandidate::chiSquare);
         for (const LiveCandidate& option : options) {
             const double sum = chiSquare + option.chiSquare;
-            if (sum > chiSquareLimit(3 * (pairs + 1)))
+            if (sum > chiSquareLimit(3 * (pairs + 1)) || isOfAnother(plane, option.candidate, chosen))
                 continue;
             const MatchChoices& choices = planes_[plane];
             PoseBelief next = belief;
@@ -139,6 +139,15 @@ private:
             descend(next, stillLive(live, next), with, pairs + 1, sum);
         }
         descend(belief, std::move(live), chosen, pairs, chiSquare);
+    }
+
+    /// True where a candidate has been chosen for a plane of the stop that is surely not the same.
+    bool isOfAnother(std::size_t plane, std::size_t candidate, const Choice& chosen) const
+    {
+        const std::size_t known = planes_[plane].candidates[candidate].known;
+        return std::ranges::any_of(planes_[plane].others, [&](std::size_t other) {
+            return chosen[other] && planes_[other].candidates[*chosen[other]].known == known;
+        });
     }
 
     void keep(const PoseBelief& belief, const Choice& chosen, int pairs, double chiSquare)
@@ -159,14 +168,19 @@ private:
     void findRivals()
     {
         best_.rivals.resize(planes_.size());
+        best_.isContested.resize(planes_.size());
         const PoseBelief belief{best_.error, best_.covariance};
         for (std::size_t i = 0; i < planes_.size(); ++i) {
             if (!best_.chosen[i])
                 continue;
             const auto& candidates = planes_[i].candidates;
+            best_.isContested[i] = std::ranges::any_of(leaves_, [&](const Leaf& leaf) {
+                return leaf.chiSquare < best_.chiSquare + limits_.rivalMargin &&
+                       isOfAnother(i, *best_.chosen[i], leaf.chosen);
+            });
             const double own = belief.chiSquare(planes_[i].jacobian, candidates[*best_.chosen[i]]);
             for (std::size_t c = 0; c < candidates.size(); ++c) {
-                if (c == *best_.chosen[i])
+                if (c == *best_.chosen[i] || isOfAnother(i, c, best_.chosen))
                     continue;
                 const double other = belief.chiSquare(planes_[i].jacobian, candidates[c]);
                 const bool fitsAlone = other < limits_.gate && other < own + limits_.rivalMargin;

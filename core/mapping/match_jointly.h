@@ -26,6 +26,7 @@ struct MatchCandidate {
 struct MatchChoices {
     Matrix3x6d jacobian = Matrix3x6d::Zero();  ///< of `apart` by the pose's error
     std::vector<MatchCandidate> candidates;
+    std::vector<std::size_t> others;  ///< planes of the stop that are surely not the same one, by their places
 };
 
 /// What the search may do.
@@ -39,6 +40,7 @@ struct MatchLimits {
 struct JointMatch {
     std::vector<std::optional<std::size_t>> chosen;  ///< for each plane of the stop: its candidate by place, or none
     std::vector<std::vector<std::size_t>> rivals;    ///< candidates that would fit as well
+    std::vector<bool> isContested;                   ///< what was chosen may as well be another plane of the stop
     /// For each pair, how far off the plane would have been looked for without it, by the other pairs and the expected
     /// pose: standard deviation along its normal [m]. Where that is large, any plane about there would have fitted.
     std::vector<double> looseness;
@@ -53,7 +55,8 @@ struct JointMatch {
 /// with the pose that those before it leave, which sums up to the joint Mahalanobis distance. Planes with the fewest
 /// candidates come first; candidates that the pose so far rules out are struck out at every step.
 ///
-/// Several planes of a stop may be one plane of the map: an extraction may have found it in parts.
+/// Several planes of a stop may be one plane of the map: an extraction may have found it in parts. Those that are
+/// `others` of each other may not.
 JointMatch matchJointly(std::span<const MatchChoices> planes, const Matrix6d& poseCovariance,
                         const MatchLimits& limits = {});
 

@@ -27,6 +27,13 @@ double slackOf(const Matrix6d& covariance)
                                                 kLever * kLever * turn.eigenvalues().real().maxCoeff()));
 }
 
+bool shareCandidate(const MatchChoices& a, const MatchChoices& b)
+{
+    return std::ranges::any_of(a.candidates, [&b](const MatchCandidate& candidate) {
+        return std::ranges::find(b.candidates, candidate.known, &MatchCandidate::known) != b.candidates.end();
+    });
+}
+
 /// What each of a stop's planes may be, compared about the place where the stop is expected.
 std::vector<MatchChoices> choicesOf(const Stop& stop, const StopExtents& extents, const NearPlanes& near,
                                     const PosePrior& expected, double gap, const MatchLimits& limits)
@@ -48,6 +55,17 @@ std::vector<MatchChoices> choicesOf(const Stop& stop, const StopExtents& extents
             if (apart.dot((noise + byPose).llt().solve(apart)) < limits.gate &&
                 near.meets(extents[i], expected.pose, j, gap))
                 choices[i].candidates.push_back({j, apart, noise});
+        }
+    }
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        const Eigen::Vector3d middle = middleOf(stop.planes[i]);
+        const UncertainPlane own = seenFrom(stop.planes[i].parameters, middle);
+        for (std::size_t k = 0; k < i; ++k) {
+            if (!shareCandidate(choices[i], choices[k]) ||
+                chiSquare(own, seenFrom(stop.planes[k].parameters, middle)) < limits.gate)
+                continue;
+            choices[i].others.push_back(k);
+            choices[k].others.push_back(i);
         }
     }
     return choices;
@@ -119,8 +137,8 @@ StopMatch matchStop(const Stop& stop, const StopExtents& extents, const NearPlan
         const std::size_t chosen = nearOf(i, *joint.chosen[i]);
         if (!meetsNow(i, *joint.chosen[i]))
             continue;
-        const bool isVouchedFor =
-            joint.looseness[i] <= kVouchedFor || near.coverage(extents[i], first->pose, chosen) >= kCovered;
+        const bool isVouchedFor = !joint.isContested[i] && (joint.looseness[i] <= kVouchedFor ||
+                                                            near.coverage(extents[i], first->pose, chosen) >= kCovered);
         if (!match.rivals[i].empty() || !isVouchedFor) {
             match.rivals[i].insert(match.rivals[i].begin(), near.planes()[chosen].plane);
             continue;

@@ -3,9 +3,11 @@
 
 #pragma once
 
+#include <algorithm>
 #include <tuple>
 
 #include "core/params/parameter.h"
+#include "core/params/parameters.h"
 #include "core/types/angle.h"
 
 namespace planewright {
@@ -20,6 +22,7 @@ struct MappingParameters {
     double searchTilt = degrees(5.0);
     double rivalShare = 0.8;
     int leastPairs = 3;
+    double chancePlanes = 10.0;
 };
 
 constexpr auto rowsOf(const MappingParameters& /*part*/)
@@ -43,8 +46,19 @@ constexpr auto rowsOf(const MappingParameters& /*part*/)
             "that both match alike."},
         Parameter{"map.least-pairs", &MappingParameters::leastPairs, Unit::Count, Range{1.0, 50.0}, "",
                   "With fewer matched planes a stop rests on odometry alone."},
+        Parameter{"map.chance-planes", &MappingParameters::chancePlanes, Unit::None, Range{0.0, 1e6}, "",
+                  "likelihood.chance-planes of scans that are extracted for a map, if it is less: parts that are one "
+                  "plane become one again in the map."},
     };
 }
 static_assert(defaultsAreInRange<MappingParameters>());
+
+/// What a scan is extracted with for a map.
+inline Parameters forMap(Parameters parameters, const MappingParameters& mapping)
+{
+    double& own = parameters.likelihood.chancePlanes;
+    own = std::max(own, mapping.chancePlanes);
+    return parameters;
+}
 
 }  // namespace planewright

@@ -228,6 +228,10 @@ constexpr auto rowsOf(const LikelihoodParameters& /*part*/)
                   "Two planes are one below this chi-square of 3 degrees of freedom."},
         Parameter{"likelihood.merge-angle", &LikelihoodParameters::mergeAngle, Unit::Angle, Range{0.0, degrees(45.0)},
                   "", "Planes that are not side by side merge when both normals are known to this standard deviation."},
+        Parameter{
+            "likelihood.chance-planes", &LikelihoodParameters::chancePlanes, Unit::None, Range{0.0, 1e6}, "",
+            "Planes that lie there by chance, for each square degree of their normal and metre of their distance: "
+            "parts of a plane that lie apart stay one while that is likelier. 0: the merge gate alone decides."},
         Parameter{"likelihood.final-gate", &LikelihoodParameters::finalGate, Unit::None, Range{1.0, 1000.0}, "",
                   "Segments beyond this chi-square take no part in the last fit."},
         Parameter{

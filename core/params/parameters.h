@@ -111,6 +111,7 @@ struct LikelihoodParameters {
     double seedAngle = 0.2;
     double mergeGate = 25.0;
     double mergeAngle = 0.01;
+    double chancePlanes = 0.0;
     double finalGate = 12.0;
     double splitSigmas = 3.0;
     double minSolidAngle = 0.0106;

@@ -80,7 +80,9 @@ PlaneEstimate::PlaneEstimate(const Eigen::Vector3d& normal, double distance)
 PlaneEstimate PlaneEstimate::afresh() const
 {
     PlaneEstimate estimate(normal_, distance_);
-    estimate.covariance_ = covariance_;
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn.topLeftCorner<2, 2>() = estimate.tangents_.transpose() * tangents_;
+    estimate.covariance_ = turn * covariance_ * turn.transpose();
     estimate.normalVariance_ = normalVariance_;
     return estimate;
 }
@@ -131,10 +133,13 @@ void PlaneEstimate::addSlice(const SegmentSums<double>& sums, const NoiseParamet
     chi_ += sign * (chi - k * pitchGradient * pitchGradient);
 }
 
-void PlaneEstimate::addCommonError(const Eigen::Vector3d& gradient)
+void PlaneEstimate::addCommonErrors(std::span<const Eigen::Vector3d> gradients)
 {
-    const Eigen::Vector3d moved = covariance_ * gradient;
-    covariance_ += moved * moved.transpose();
+    const Eigen::Matrix3d alone = covariance_;
+    for (const Eigen::Vector3d& gradient : gradients) {
+        const Eigen::Vector3d moved = alone * gradient;
+        covariance_ += moved * moved.transpose();
+    }
     normalVariance_ = largestNormalVariance(covariance_);
 }
 
@@ -212,8 +217,8 @@ double mostVariance(const SegmentStatistics& segment, const Eigen::Vector3d& cen
            noise.pitch * noise.pitch * centroid.squaredNorm();
 }
 
-double PlaneEstimate::mergeChi(const PlaneEstimate& other, double floor, double extent, double scatter,
-                               double otherScatter) const
+PlaneDisparity PlaneEstimate::disparity(const PlaneEstimate& other, double floor, double extent, double scatter,
+                                        double otherScatter) const
 {
     const double side = normal_.dot(other.normal_) < 0.0 ? -1.0 : 1.0;
     // Both in this plane's tangents: a turn of the other's normal is one of this, seen from here.
@@ -229,7 +234,7 @@ double PlaneEstimate::mergeChi(const PlaneEstimate& other, double floor, double 
     covariance(0, 0) += angle * angle;
     covariance(1, 1) += angle * angle;
     covariance(2, 2) += floor * floor;
-    return apart.dot(covariance.inverse() * apart);
+    return {apart.dot(covariance.inverse() * apart), covariance.determinant()};
 }
 
 }  // namespace planewright

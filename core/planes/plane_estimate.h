@@ -75,6 +75,12 @@ struct PitchEvidence {
     double gradient = 0.0;     ///< [1/rad]
 };
 
+/// What two planes are apart.
+struct PlaneDisparity {
+    double chi = 0.0;          ///< χ² of 3 degrees of freedom
+    double determinant = 0.0;  ///< of the covariance that it is told by [rad⁴ m²]
+};
+
 /// A plane by maximum likelihood: its parameters, their information and their covariance.
 ///
 /// Unknowns are two tangent angles and d, from a linearisation point on; information and gradient are sums over slices,
@@ -101,9 +107,9 @@ public:
         const Eigen::Vector3d row{tangents_.col(0).dot(point), tangents_.col(1).dot(point), -1.0};
         return row.dot(covariance_ * row);
     }
-    /// Adds to the covariance what one error of standard deviation 1 does, common to all that was added, of which this
-    /// is the gradient: information times the change of the parameters.
-    void addCommonError(const Eigen::Vector3d& gradient);
+    /// Adds to the covariance what independent errors of standard deviation 1 do, each common to all that was added, of
+    /// which these are the gradients in tangents(): information times the change of the parameters.
+    void addCommonErrors(std::span<const Eigen::Vector3d> gradients);
     /// How far the estimate is from where it was linearised [rad].
     double angleFromLinearisation() const { return step_.head<2>().norm(); }
 
@@ -180,10 +186,15 @@ public:
     void pitchEvidences(const SegmentBatch& batch, const NoiseParameters& noise, double floor,
                         std::span<PitchEvidence> evidences, const PlaneKernels& kernels = planeKernels()) const;
 
-    /// χ² (3 degrees of freedom) of two planes being one, with a flatness floor [m] over an extent [m]. A plane's
-    /// covariance grows by its scatter, that of its segments relative to their noise.
+    /// How far two planes are from being one, with a flatness floor [m] over an extent [m]. A plane's covariance grows
+    /// by its scatter, that of its segments relative to their noise.
+    PlaneDisparity disparity(const PlaneEstimate& other, double floor, double extent, double scatter = 1.0,
+                             double otherScatter = 1.0) const;
     double mergeChi(const PlaneEstimate& other, double floor, double extent, double scatter = 1.0,
-                    double otherScatter = 1.0) const;
+                    double otherScatter = 1.0) const
+    {
+        return disparity(other, floor, extent, scatter, otherScatter).chi;
+    }
 
 private:
     double chiOf(const PlaneInSlice& seen, const SegmentStatistics& segment, const NoiseParameters& noise, double floor,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <array>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -123,8 +124,9 @@ void addBorderErrors(PlaneTrack& plane, const SegmentBatch& counting)
         if (!s.endsFree)
             atEnds += gradientAt(s.end);
     }
-    plane.estimate.addCommonError(atStarts);
-    plane.estimate.addCommonError(atEnds);
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn.topLeftCorner<2, 2>() = plane.estimate.tangents().transpose() * estimate.tangents();
+    plane.estimate.addCommonErrors(std::array<Eigen::Vector3d, 2>{turn * atStarts, turn * atEnds});
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -11,6 +13,8 @@
 
 #include "core/planes/track_publishing.h"
 #include "core/planes/track_stages.h"
+#include "core/types/angle.h"
+#include "core/types/square.h"
 
 namespace planewright {
 
@@ -79,9 +83,17 @@ std::optional<PlaneTrack> trackOf(const PlaneTrack& plane, Part members, TrackMa
     return track;
 }
 
+/// The largest χ² at which two planes are rather one than another that lies there by chance, where so many do
+/// (likelihood.chance-planes): p(one) = exp(-χ² / 2) / ((2π)^1.5 √|S|) by their covariance S.
+double chanceGate(double determinant, double chancePlanes)
+{
+    const double density = chancePlanes / square(degrees(1.0));  // [1/(rad² m)]
+    return -2.0 * std::log(std::pow(2.0 * std::numbers::pi, 1.5) * density) - std::log(determinant);
+}
+
 /// Whether a part of a plane and its other segments are two planes; none where either has too few segments.
 std::optional<Test> apartTest(const PlaneTrack& plane, const PlaneTrack& part, TrackMap& map,
-                              const Parameters& parameters)
+                              const Parameters& parameters, double chancePlanes)
 {
     Part others;
     std::ranges::set_difference(plane.members, part.members, std::back_inserter(others));
@@ -89,13 +101,14 @@ std::optional<Test> apartTest(const PlaneTrack& plane, const PlaneTrack& part, T
     if (!rest)
         return std::nullopt;
     const double floor = 0.5 * parameters.flatnessFloor();
-    return Test{"parts_chi2", part.estimate.mergeChi(rest->estimate, floor, 1.0, scatterOf(part), scatterOf(*rest)),
-                Comparison::Greater, parameters.likelihood.mergeGate};
+    const PlaneDisparity disparity =
+        part.estimate.disparity(rest->estimate, floor, 1.0, scatterOf(part), scatterOf(*rest));
+    const double gate =
+        chancePlanes > 0.0 ? chanceGate(disparity.determinant, chancePlanes) : parameters.likelihood.mergeGate;
+    return Test{"parts_chi2", disparity.chi, Comparison::Greater, std::min(gate, parameters.likelihood.mergeGate)};
 }
 
-}  // namespace
-
-void splitParts(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+void splitParts(TrackMap& map, const Parameters& parameters, double chancePlanes, StepRecorder& recorder)
 {
     const int step = map.slice(map.slices() - 1).step;
     const std::size_t planes = map.planes().size();  // those that are made on the way are parts
@@ -104,7 +117,8 @@ void splitParts(TrackMap& map, const Parameters& parameters, StepRecorder& recor
         const std::vector<Part> parts = partsOf(map.planes()[i], map);
         for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
             const std::optional<PlaneTrack> part = trackOf(map.plane(id), parts[k], map, parameters);
-            const std::optional<Test> apart = part ? apartTest(map.plane(id), *part, map, parameters) : std::nullopt;
+            const std::optional<Test> apart =
+                part ? apartTest(map.plane(id), *part, map, parameters, chancePlanes) : std::nullopt;
             if (!apart || !apart->pass())
                 continue;
             PlaneTrack* own = map.makePlane(parts[k], part->estimate, step, parameters);
@@ -117,6 +131,16 @@ void splitParts(TrackMap& map, const Parameters& parameters, StepRecorder& recor
                 map.rebuild(*rest, parameters);
         }
     }
+}
+
+}  // namespace
+
+void splitParts(TrackMap& map, const Parameters& parameters, StepRecorder& recorder)
+{
+    splitParts(map, parameters, 0.0, recorder);
+    // What chance decides comes second: planes keep the numbers that they have without it.
+    if (parameters.likelihood.chancePlanes > 0.0)
+        splitParts(map, parameters, parameters.likelihood.chancePlanes, recorder);
 }
 
 }  // namespace planewright

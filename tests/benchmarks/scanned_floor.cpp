@@ -14,6 +14,7 @@
 #include "core/formats/labels.h"
 #include "core/geometry/tangents.h"
 #include "core/mapping/near_planes.h"
+#include "core/params/mapping_parameters.h"
 #include "core/params/presets.h"
 #include "core/pipeline/plane_extractor.h"
 #include "core/simulation/nodding_scanner.h"
@@ -78,6 +79,7 @@ public:
         : building_(building), first_(first), seed_(seed), reference_(building.sceneAt(0, first.pose))
     {
         apply(*findPreset(methodPresets(), "precise"), parameters_);
+        parameters_ = forMap(parameters_, {});
     }
 
     void scan(const BuildingStop& at, const std::optional<Motion>& odometry)

@@ -140,9 +140,10 @@ std::span<const TestWords> allTestWords()
         TestWords{"merge_chi2", Any, "χ²", ChiSquare, Keys{"likelihood.merge-gate", ""},
                   "How far the planes are from each other by their covariances: 3 degrees of freedom."},
         TestWords{
-            "parts_chi2", Any, "χ² of the parts", ChiSquare, Keys{"likelihood.merge-gate", ""},
+            "parts_chi2", Any, "χ² of the parts", ChiSquare, Keys{"likelihood.merge-gate", "likelihood.chance-planes"},
             "How far the plane of a part that lies apart is from the plane of the others, by their covariances: 3 "
-            "degrees of freedom."},
+            "degrees of freedom. The limit is lower where little is known of them, so that another plane may lie "
+            "there by chance."},
         TestWords{"worse_together", Any, "E of both / E", Plain, Keys{},
                   "How much worse one plane explains the segments of both than each explains its own."},
         TestWords{"seed_chi2", Any, "χ²", ChiSquare, Keys{"likelihood.seed-gate", ""},

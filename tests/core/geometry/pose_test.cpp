@@ -3,8 +3,13 @@
 
 #include "core/geometry/pose.h"
 
+#include <array>
+#include <cmath>
+#include <numbers>
+
 #include <QtTest>
 
+#include "core/simulation/random.h"
 #include "core/types/angle.h"
 #include "tests/core/mapping/known_planes.h"
 #include "tests/test_program.h"
@@ -20,6 +25,7 @@ private slots:
     void anErrorLeadsFromOnePoseToTheOther();
     void aTurnShiftsWhatStandsBeside();
     void odometryKnowsTwoPercentOfTheWayAndADegreeOnTenMetres();
+    void aWayThatIsLevelRisesSeenFromWhereTheFirstStopIsTilted();
 };
 
 void PoseTest::aPoseAndItsInverseCancel()
@@ -75,6 +81,36 @@ void PoseTest::odometryKnowsTwoPercentOfTheWayAndADegreeOnTenMetres()
 
     QVERIFY(std::abs(std::sqrt(covariance(3, 3)) - 0.2) < 1e-12);
     QVERIFY(std::abs(toDegrees(std::sqrt(covariance(2, 2))) - 1.0) < 1e-4);
+}
+
+/// Stops stand tilted by a and b, each a normal draw of τ / √2 about x and y; odometry tells a level way.
+void PoseTest::aWayThatIsLevelRisesSeenFromWhereTheFirstStopIsTilted()
+{
+    OdometryNoise noise;
+    noise.height = 1e-3;
+    const Eigen::Vector3d way{2.0, 3.0, 0.0};
+    const Matrix6d told = odometryCovariance({Eigen::Quaterniond::Identity(), way}, noise);
+    Random random(3);
+    Eigen::Matrix3d drawn = Eigen::Matrix3d::Zero();  // of the turns about x and y, and of the height
+    constexpr int kDraws = 20000;
+    for (int i = 0; i < kDraws; ++i) {
+        const auto [ax, ay] = random.normalPair();
+        const auto [bx, by] = random.normalPair();
+        const double one = noise.tilt / std::numbers::sqrt2;
+        const Pose first{rotationAbout({one * ax, one * ay, 0.0}), Eigen::Vector3d::Zero()};
+        const Pose second{rotationAbout({one * bx, one * by, 0.0}), way};
+        const Vector6d error = errorBetween({Eigen::Quaterniond::Identity(), way}, first.inverse() * second);
+        const Eigen::Vector3d part{error[0], error[1], error[5] + noise.height * random.normalPair().first};
+        drawn += part * part.transpose() / kDraws;
+    }
+    const std::array<Eigen::Index, 3> places{0, 1, 5};
+    for (Eigen::Index r = 0; r < 3; ++r) {
+        for (Eigen::Index c = 0; c < 3; ++c) {
+            const double scale = std::sqrt(drawn(r, r) * drawn(c, c));
+            QVERIFY(std::abs(told(places[static_cast<std::size_t>(r)], places[static_cast<std::size_t>(c)]) -
+                             drawn(r, c)) < 0.05 * scale);
+        }
+    }
 }
 
 }  // namespace planewright

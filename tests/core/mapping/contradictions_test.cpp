@@ -3,6 +3,7 @@
 
 #include "core/mapping/contradictions.h"
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -21,11 +22,13 @@ private slots:
     void sightingsThatAgreeStay();
     void theOneThatContradictsIsLeftOpen();
     void itIsLeftOpenHoweverSureItIs();
-    void whereTwoContradictNobodyIsSure();
+    void allThatContradictTheMostAreLeftOpen();
     void whatIsALittleOffStays();
     void ofTwoSightingsNoneIsTheWrongOne();
-    void whereHalfSaysOtherwiseNobodyIsSure();
+    void whatAgreesOtherwiseBecomesAPlaneOfItsOwn();
+    void whatMayBeOfEitherIsLeftOpen();
     void whereItMayBeAnotherOneNobodyIsSure();
+    void amongManyTheOneIsFound();
     void whatWasMatchedByHandStays();
 };
 
@@ -76,7 +79,7 @@ void ContradictionsTest::sightingsThatAgreeStay()
 {
     BuildingMap map = mapOf({{0.001}, {-0.002}, {0.003}, {-0.004}});
 
-    QCOMPARE(openContradictions(map), 0);
+    QCOMPARE(divideContradictions(map), 0);
 
     QVERIFY(openIn(map).empty());
     QCOMPARE(map.planes[0].sightings.size(), std::size_t{4});
@@ -86,7 +89,7 @@ void ContradictionsTest::theOneThatContradictsIsLeftOpen()
 {
     BuildingMap map = mapOf({{0.001}, {0.030}, {-0.001}, {0.0}});
 
-    QCOMPARE(openContradictions(map), 1);
+    QCOMPARE(divideContradictions(map), 1);
 
     QVERIFY(openIn(map) == std::vector<std::size_t>{1});
     const MapMatch& match = map.stops[1].matches[0];
@@ -102,16 +105,19 @@ void ContradictionsTest::itIsLeftOpenHoweverSureItIs()
 {
     BuildingMap map = mapOf({{0.001}, {-0.001}, {0.040, 0.0002}});
 
-    QCOMPARE(openContradictions(map), 1);
+    QCOMPARE(divideContradictions(map), 1);
 
     QVERIFY(openIn(map) == std::vector<std::size_t>{2});
 }
 
-void ContradictionsTest::whereTwoContradictNobodyIsSure()
+void ContradictionsTest::allThatContradictTheMostAreLeftOpen()
 {
     BuildingMap map = mapOf({{0.0}, {0.030}, {0.0}, {-0.060}, {0.001}, {-0.001}});
 
-    QCOMPARE(openContradictions(map), 0);
+    QCOMPARE(divideContradictions(map), 2);
+
+    QVERIFY((openIn(map) == std::vector<std::size_t>{1, 3}));
+    QCOMPARE(map.planes.size(), std::size_t{1});
 }
 
 /// Five standard deviations are less than what makes it sure.
@@ -119,7 +125,7 @@ void ContradictionsTest::whatIsALittleOffStays()
 {
     BuildingMap map = mapOf({{0.0}, {0.010}, {0.0}, {-0.060}, {0.001}, {-0.001}});
 
-    QCOMPARE(openContradictions(map), 1);
+    QCOMPARE(divideContradictions(map), 1);
 
     QVERIFY(openIn(map) == std::vector<std::size_t>{3});
 }
@@ -128,14 +134,50 @@ void ContradictionsTest::ofTwoSightingsNoneIsTheWrongOne()
 {
     BuildingMap map = mapOf({{0.0}, {0.050}});
 
-    QCOMPARE(openContradictions(map), 0);
+    QCOMPARE(divideContradictions(map), 0);
 }
 
-void ContradictionsTest::whereHalfSaysOtherwiseNobodyIsSure()
+void ContradictionsTest::whatAgreesOtherwiseBecomesAPlaneOfItsOwn()
 {
-    BuildingMap map = mapOf({{0.0}, {0.050}, {0.001}, {0.051}});
+    BuildingMap map = mapOf({{0.050}, {0.0}, {0.001}, {0.051}, {-0.001}});
 
-    QCOMPARE(openContradictions(map), 0);
+    QCOMPARE(divideContradictions(map), 2);
+
+    QVERIFY(openIn(map).empty());
+    QCOMPARE(map.planes.size(), std::size_t{2});
+    const auto isOf = [&](std::size_t stop, std::size_t plane, MatchState state) {
+        const MapMatch& match = map.stops[stop].matches[0];
+        return match.plane == plane && match.state == state;
+    };
+    // The three keep the plane, which another stop saw first now.
+    QVERIFY(isOf(1, 0, MatchState::New) && isOf(2, 0, MatchState::Matched) && isOf(4, 0, MatchState::Matched));
+    QVERIFY(isOf(0, 1, MatchState::New) && isOf(3, 1, MatchState::Matched));
+    QVERIFY(std::abs(map.planes[1].parameters.distance - 5.0505) < 2e-4);
+}
+
+void ContradictionsTest::whatMayBeOfEitherIsLeftOpen()
+{
+    BuildingMap map = mapOf({{0.0}, {0.050}, {0.001}, {0.051}, {-0.001}, {0.025, 0.050}});
+
+    QCOMPARE(divideContradictions(map), 3);
+
+    QVERIFY(openIn(map) == std::vector<std::size_t>{5});
+    QVERIFY((map.stops[5].matches[0].rivals == std::vector<std::size_t>{0, 1}));
+    QCOMPARE(map.planes[0].sightings.size(), std::size_t{3});
+    QCOMPARE(map.planes[1].sightings.size(), std::size_t{2});
+}
+
+void ContradictionsTest::amongManyTheOneIsFound()
+{
+    std::vector<Told> all;
+    for (int i = 0; i < 300; ++i)
+        all.push_back({0.001 * (i % 5 - 2)});
+    all[170].off = 0.030;
+    BuildingMap map = mapOf(all);
+
+    QCOMPARE(divideContradictions(map), 1);
+
+    QVERIFY(openIn(map) == std::vector<std::size_t>{170});
 }
 
 /// The third is so unsure that it agrees with either of the others.
@@ -143,7 +185,7 @@ void ContradictionsTest::whereItMayBeAnotherOneNobodyIsSure()
 {
     BuildingMap map = mapOf({{0.0}, {0.050}, {0.025, 0.050}});
 
-    QCOMPARE(openContradictions(map), 0);
+    QCOMPARE(divideContradictions(map), 0);
 }
 
 void ContradictionsTest::whatWasMatchedByHandStays()
@@ -151,7 +193,7 @@ void ContradictionsTest::whatWasMatchedByHandStays()
     BuildingMap map = mapOf({{0.001}, {0.030}, {-0.001}, {0.0}});
     map.stops[1].matches[0].isByHand = true;
 
-    QCOMPARE(openContradictions(map), 0);
+    QCOMPARE(divideContradictions(map), 0);
 }
 
 }  // namespace planewright

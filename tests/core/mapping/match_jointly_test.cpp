@@ -21,6 +21,8 @@ private slots:
     void ofAllSetsItFindsTheLargestAndOfTheseTheLikeliest();
     void movedFurnitureDoesNotPullTheWalls();
     void aPlaneThatMayBeEitherOfTwoHasARival();
+    void twoPlanesOfAStopAreNotBothOnePlaneOfTheMap();
+    void whatAnotherPlaneOfTheStopMayBeIsContested();
     void theWorkIsBounded();
 };
 
@@ -148,6 +150,45 @@ void MatchJointlyTest::aPlaneThatMayBeEitherOfTwoHasARival()
     QCOMPARE(*found.chosen[2], std::size_t(0));
     QCOMPARE(found.rivals[2], std::vector<std::size_t>{1});
     QVERIFY(found.rivals[0].empty());
+}
+
+/// Both would fit, but the stop saw them side by side as two.
+void MatchJointlyTest::twoPlanesOfAStopAreNotBothOnePlaneOfTheMap()
+{
+    std::vector<MatchChoices> planes{
+        choicesAt(Eigen::Vector3d::UnitX(), {0.0}), choicesAt(-Eigen::Vector3d::UnitX(), {0.0}),
+        choicesAt(Eigen::Vector3d::UnitX(), {0.001}), choicesAt(Eigen::Vector3d::UnitX(), {0.006})};
+    planes[1].candidates[0].known = 1;
+    planes[2].candidates[0].known = 2;
+    planes[3].candidates[0].known = 2;
+
+    QCOMPARE(matchJointly(planes, wideCovariance()).pairs, 4);
+    planes[2].others = {3};
+    planes[3].others = {2};
+    const JointMatch found = matchJointly(planes, wideCovariance());
+
+    QCOMPARE(found.pairs, 3);
+    QVERIFY(found.chosen[2] && !found.chosen[3]);
+}
+
+/// Nothing but odometry tells which of two planes of the stop is the one that the map has.
+void MatchJointlyTest::whatAnotherPlaneOfTheStopMayBeIsContested()
+{
+    std::vector<MatchChoices> planes{choicesAt(Eigen::Vector3d::UnitX(), {0.0}),
+                                     choicesAt(Eigen::Vector3d::UnitX(), {0.08}),
+                                     choicesAt(Eigen::Vector3d::UnitY(), {0.0})};
+    planes[2].candidates[0].known = 1;
+    planes[0].others = {1};
+    planes[1].others = {0};
+
+    const JointMatch found = matchJointly(planes, wideCovariance());
+
+    QVERIFY(found.chosen[0] && !found.chosen[1]);
+    QVERIFY(found.isContested[0]);
+    QVERIFY(!found.isContested[2]);
+    // Half a metre is more than odometry allows.
+    planes[1].candidates[0].apart.z() = 0.5;
+    QVERIFY(!matchJointly(planes, wideCovariance()).isContested[0]);
 }
 
 /// Twenty planes of which each may be any of eight, none of them together: it stops, and says so.

@@ -105,6 +105,7 @@ private slots:
     void ownPitchErrorsOfPointsWeighLess();
     void fewPointsThatNoiseDirectsWeighAsOnThePlane();
     void anErrorThatAllShareWidensTheCovariance();
+    void afreshTheCovarianceIsInTheTangentsOfNow();
     void joinChiHasItsExpectation();
     void aLimitOnlyEndsTheWorkEarly();
     void aSegmentOffThePlaneDoesNotJoin();
@@ -305,13 +306,36 @@ void PlaneEstimateTest::anErrorThatAllShareWidensTheCovariance()
                                         scan.parameters.noise, 0.0);
     const Eigen::Matrix3d before = estimate.covariance();
     const Eigen::Vector3d change{0.01, -0.02, 0.005};
+    const Eigen::Vector3d other{0.02, 0.01, -0.01};
 
-    estimate.addCommonError(before.inverse() * change);
+    estimate.addCommonErrors(std::array<Eigen::Vector3d, 2>{before.inverse() * change, before.inverse() * other});
 
-    const Eigen::Matrix3d grown = before + change * change.transpose();
+    const Eigen::Matrix3d grown = before + change * change.transpose() + other * other.transpose();
     QVERIFY(estimate.covariance().isApprox(grown, 1e-9));
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> angles(grown.topLeftCorner<2, 2>());
     QVERIFY(std::abs(estimate.normalVariance() / angles.eigenvalues()[1] - 1.0) < 1e-9);
+}
+
+/// Which axis a normal is least along decides which way its tangents point.
+void PlaneEstimateTest::afreshTheCovarianceIsInTheTangentsOfNow()
+{
+    const Surface wall{Eigen::Vector3d(2e-3, 1.0, 1e-3).normalized(), 4.0, 200, 280};
+    NoddingScan scan;
+    scan.nod(8, {wall});
+    const PlaneEstimate estimate = solvedFrom(PlaneEstimate(Eigen::Vector3d(1e-3, 1.0, 2e-3).normalized(), 4.0),
+                                              scan.column(0, 0, 7), scan.map, scan.parameters.noise, 0.0);
+
+    const PlaneEstimate afresh = estimate.afresh();
+
+    QVERIFY(std::abs(estimate.tangents().col(0).dot(afresh.tangents().col(0))) < 0.1);
+    const auto ofNormal = [](const PlaneEstimate& plane) {
+        return Eigen::Matrix3d(plane.tangents() * plane.covariance().topLeftCorner<2, 2>() *
+                               plane.tangents().transpose());
+    };
+    QVERIFY((ofNormal(afresh) - ofNormal(estimate)).norm() < 0.01 * ofNormal(estimate).norm());
+    // How well it is known where it was seen does not depend on the tangents.
+    const Eigen::Vector3d place{-2.0, 4.0, 0.5};
+    QVERIFY(std::abs(afresh.varianceAt(place) / estimate.varianceAt(place) - 1.0) < 0.02);
 }
 
 void PlaneEstimateTest::joinChiHasItsExpectation()

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Planewright authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <QtTest>
@@ -49,6 +51,9 @@ private slots:
     void aGapInWhatWasSeenMakesNoTwoParts();
     void twoSegmentsApartHaveNoSay();
     void whatWasDecidedIsTold();
+    void aPartThatMayLieThereByChanceIsAskedForInMaps();
+    void theLimitOfChanceIsThatOfBayes();
+    void chanceLeavesTheNumbersOfOtherPlanes();
 };
 
 void SplitPartsTest::aWallSeenThroughTwoDoorsStaysOne()
@@ -164,6 +169,77 @@ void SplitPartsTest::whatWasDecidedIsTold()
         one.planes()[1].estimate.mergeChi(one.planes()[0].estimate, 0.5 * one.scan.parameters.flatnessFloor(), 1.0);
     QVERIFY(chi > told.limit);
     QVERIFY2(std::abs(told.value - chi) < 0.1 * chi, qPrintable(QString("%1 %2").arg(told.value).arg(chi)));
+}
+
+/// Three slices tell a narrow surface's normal to degrees: many another one would lie there as well.
+void SplitPartsTest::aPartThatMayLieThereByChanceIsAskedForInMaps()
+{
+    for (const double chancePlanes : {0.0, 10.0}) {
+        OnePlane one;
+        one.scan.parameters.likelihood.chancePlanes = chancePlanes;
+        one.scan.nod(3, {wallBy(320, 400), wallBy(440, 446)});
+        one.scan.nod(8, {wallBy(320, 400)}, degrees(85.0) + 3 * kTiltStep);
+        one.makeOfAll();
+
+        one.split();
+
+        QCOMPARE(one.planes().size(), std::size_t(chancePlanes > 0.0 ? 2 : 1));
+    }
+    // Two that are known well are one.
+    OnePlane known;
+    known.scan.parameters.likelihood.chancePlanes = 10.0;
+    known.make({wallBy(250, 290), wallBy(320, 400), wallBy(440, 480)});
+
+    known.split();
+
+    QCOMPARE(known.planes().size(), std::size_t{1});
+}
+
+/// exp(-χ² / 2) / ((2π)^1.5 √|S|) is as much as ten planes on each square degree and metre.
+void SplitPartsTest::theLimitOfChanceIsThatOfBayes()
+{
+    OnePlane one;
+    one.scan.parameters.likelihood.chancePlanes = 10.0;
+    one.make({wallBy(320, 400), wallBy(440, 480, 0.008)});
+
+    one.split();
+
+    QCOMPARE(one.planes().size(), std::size_t{2});
+    const Test& told = one.scan.recorded.report.decisions.front().tests.front();
+    QVERIFY(told.limit < one.scan.parameters.likelihood.mergeGate);
+    const PlaneDisparity now =
+        one.planes()[1].estimate.disparity(one.planes()[0].estimate, 0.5 * one.scan.parameters.flatnessFloor(), 1.0);
+    const double likelihood =
+        std::exp(-0.5 * told.limit) / std::sqrt(std::pow(2.0 * std::numbers::pi, 3) * now.determinant);
+    const double density = 10.0 * std::pow(180.0 / std::numbers::pi, 2);
+    QVERIFY2(std::abs(likelihood - density) < 0.1 * density, qPrintable(QString::number(likelihood / density)));
+}
+
+void SplitPartsTest::chanceLeavesTheNumbersOfOtherPlanes()
+{
+    const auto lineages = [](double chancePlanes) {
+        NoddingScan scan;
+        scan.parameters.likelihood.chancePlanes = chancePlanes;
+        const Surface side{kSideWall.normal, kSideWall.distance, 530, 570};
+        const Surface offSide{kSideWall.normal, kSideWall.distance + 0.05, 610, 650};
+        scan.nod(3, {wallBy(320, 400), wallBy(440, 446), side, offSide});
+        scan.nod(8, {wallBy(320, 400), side, offSide}, degrees(85.0) + 3 * kTiltStep);
+        Numbers ahead;
+        Numbers left;
+        for (SegmentNumber number = 0; number < scan.map.segments(); ++number)
+            (scan.map.beams(number).first < 500 ? ahead : left).push_back(number);
+        scan.makePlane(ahead, kWall);
+        scan.makePlane(left, kSideWall);
+
+        splitParts(scan.map, scan.parameters, scan.recorded.recorder);
+
+        std::vector<PlaneId> parents;
+        for (const PlaneTrack& plane : scan.map.planes())
+            parents.push_back(plane.lineage.parents.empty() ? kNoPlane : plane.lineage.parents.front());
+        return parents;
+    };
+    QVERIFY((lineages(0.0) == std::vector<PlaneId>{kNoPlane, kNoPlane, 1}));
+    QVERIFY((lineages(10.0) == std::vector<PlaneId>{kNoPlane, kNoPlane, 1, 0}));
 }
 
 }  // namespace planewright
