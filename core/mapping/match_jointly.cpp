@@ -60,7 +60,7 @@ public:
         const PoseBelief start{Vector6d::Zero(), poseCovariance};
         best_.chosen.resize(planes_.size());
         best_.covariance = poseCovariance;
-        descend(start, stillLive(all, start), Choice(planes_.size()), 0, 0.0);
+        descend(start, stillLive(all, start), {Choice(planes_.size()), 0, 0, 0.0});
         findRivals();
         measureLooseness(poseCovariance);
         best_.cutShort = nodes_ >= limits_.mostNodes;
@@ -68,9 +68,12 @@ public:
     }
 
 private:
-    struct Leaf {
+    /// What has been chosen.
+    struct Set {
         Choice chosen;
-        double chiSquare;
+        int pairs = 0;    ///< planes of the map that are in it
+        int choices = 0;  ///< planes of the stop: several may be one of the map
+        double chiSquare = 0.0;
     };
 
     std::vector<LiveCandidate> stillLive(const std::vector<LiveCandidate>& before, const PoseBelief& belief) const
@@ -106,18 +109,17 @@ private:
         return {chosen, planes};
     }
 
-    void descend(const PoseBelief& belief, std::vector<LiveCandidate> live, const Choice& chosen, int pairs,
-                 double chiSquare)
+    void descend(const PoseBelief& belief, std::vector<LiveCandidate> live, const Set& set)
     {
         if (nodes_ >= limits_.mostNodes)
             return;
         ++nodes_;
         const auto [begin, planes] = nextPlane(live);
-        if (pairs + planes < best_.pairs ||
-            (pairs + planes == best_.pairs && chiSquare > best_.chiSquare + limits_.rivalMargin))
+        if (set.pairs + planes < best_.pairs ||
+            (set.pairs + planes == best_.pairs && set.chiSquare > best_.chiSquare + limits_.rivalMargin))
             return;
         if (live.empty()) {
-            keep(belief, chosen, pairs, chiSquare);
+            keep(belief, set);
             return;
         }
         const std::size_t plane = live[begin].plane;
@@ -128,17 +130,28 @@ private:
         live.erase(live.begin() + static_cast<std::ptrdiff_t>(begin), mine);
         std::ranges::stable_sort(options, {}, &LiveCandidate::chiSquare);
         for (const LiveCandidate& option : options) {
-            const double sum = chiSquare + option.chiSquare;
-            if (sum > chiSquareLimit(3 * (pairs + 1)) || isOfAnother(plane, option.candidate, chosen))
+            Set with = set;
+            with.chiSquare += option.chiSquare;
+            ++with.choices;
+            if (with.chiSquare > chiSquareLimit(3 * with.choices) || isOfAnother(plane, option.candidate, set.chosen))
                 continue;
             const MatchChoices& choices = planes_[plane];
+            with.pairs += isChosen(choices.candidates[option.candidate].known, set.chosen) ? 0 : 1;
+            with.chosen[plane] = option.candidate;
             PoseBelief next = belief;
             next.add(choices.jacobian, choices.candidates[option.candidate]);
-            Choice with = chosen;
-            with[plane] = option.candidate;
-            descend(next, stillLive(live, next), with, pairs + 1, sum);
+            descend(next, stillLive(live, next), with);
         }
-        descend(belief, std::move(live), chosen, pairs, chiSquare);
+        descend(belief, std::move(live), set);
+    }
+
+    bool isChosen(std::size_t known, const Choice& chosen) const
+    {
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            if (chosen[i] && planes_[i].candidates[*chosen[i]].known == known)
+                return true;
+        }
+        return false;
     }
 
     /// True where a candidate has been chosen for a plane of the stop that is surely not the same.
@@ -150,19 +163,23 @@ private:
         });
     }
 
-    void keep(const PoseBelief& belief, const Choice& chosen, int pairs, double chiSquare)
+    void keep(const PoseBelief& belief, const Set& set)
     {
-        if (pairs > best_.pairs)
+        if (set.pairs > best_.pairs)
             leaves_.clear();
-        leaves_.push_back({chosen, chiSquare});
-        if (pairs > best_.pairs || (pairs == best_.pairs && chiSquare < best_.chiSquare)) {
-            best_.chosen = chosen;
-            best_.pairs = pairs;
-            best_.chiSquare = chiSquare;
+        leaves_.push_back(set);
+        if (set.pairs > best_.pairs || (set.pairs == best_.pairs && isBetter(set))) {
+            best_.chosen = set.chosen;
+            best_.pairs = set.pairs;
+            best_.chiSquare = set.chiSquare;
             best_.error = belief.error;
             best_.covariance = belief.covariance;
+            choices_ = set.choices;
         }
     }
+
+    /// Of as many planes of the map: χ² less what is expected of it.
+    bool isBetter(const Set& set) const { return set.chiSquare - 3.0 * set.choices < best_.chiSquare - 3.0 * choices_; }
 
     /// What other sets as good as the best choose, and what alone would fit in the place of a choice.
     void findRivals()
@@ -174,7 +191,7 @@ private:
             if (!best_.chosen[i])
                 continue;
             const auto& candidates = planes_[i].candidates;
-            best_.isContested[i] = std::ranges::any_of(leaves_, [&](const Leaf& leaf) {
+            best_.isContested[i] = std::ranges::any_of(leaves_, [&](const Set& leaf) {
                 return leaf.chiSquare < best_.chiSquare + limits_.rivalMargin &&
                        isOfAnother(i, *best_.chosen[i], leaf.chosen);
             });
@@ -184,7 +201,7 @@ private:
                     continue;
                 const double other = belief.chiSquare(planes_[i].jacobian, candidates[c]);
                 const bool fitsAlone = other < limits_.gate && other < own + limits_.rivalMargin;
-                const bool fitsInAnother = std::ranges::any_of(leaves_, [&](const Leaf& leaf) {
+                const bool fitsInAnother = std::ranges::any_of(leaves_, [&](const Set& leaf) {
                     return leaf.chosen[i] == c && leaf.chiSquare < best_.chiSquare + limits_.rivalMargin;
                 });
                 if (fitsAlone || fitsInAnother)
@@ -217,7 +234,8 @@ private:
     std::span<const MatchChoices> planes_;
     MatchLimits limits_;
     JointMatch best_;
-    std::vector<Leaf> leaves_;  ///< sets of as many pairs as the best
+    std::vector<Set> leaves_;  ///< of as many pairs as the best
+    int choices_ = 0;          ///< of the best
     int nodes_ = 0;
 };
 

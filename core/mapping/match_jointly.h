@@ -36,7 +36,8 @@ struct MatchLimits {
     int mostNodes = 500;       ///< of the search; the order in which they are visited is fixed
 };
 
-/// The largest set of pairs that fit together; of equally many, those with the least χ².
+/// The pairs that fit together and have the most planes of the map in them; of equally many, those with the least χ²
+/// beyond what is expected.
 struct JointMatch {
     std::vector<std::optional<std::size_t>> chosen;  ///< for each plane of the stop: its candidate by place, or none
     std::vector<std::vector<std::size_t>> rivals;    ///< candidates that would fit as well
@@ -44,8 +45,8 @@ struct JointMatch {
     /// For each pair, how far off the plane would have been looked for without it, by the other pairs and the expected
     /// pose: standard deviation along its normal [m]. Where that is large, any plane about there would have fitted.
     std::vector<double> looseness;
-    int pairs = 0;
-    double chiSquare = 0.0;                  ///< joint, 3 a pair expected
+    int pairs = 0;                           ///< planes of the map that are in it
+    double chiSquare = 0.0;                  ///< joint, 3 expected of each plane of the stop
     Vector6d error = Vector6d::Zero();       ///< of the expected pose, as the pairs tell
     Matrix6d covariance = Matrix6d::Zero();  ///< of the pose with the pairs
     bool cutShort = false;                   ///< the search met its limit: more pairs may fit
@@ -55,8 +56,8 @@ struct JointMatch {
 /// with the pose that those before it leave, which sums up to the joint Mahalanobis distance. Planes with the fewest
 /// candidates come first; candidates that the pose so far rules out are struck out at every step.
 ///
-/// Several planes of a stop may be one plane of the map: an extraction may have found it in parts. Those that are
-/// `others` of each other may not.
+/// Several planes of a stop may be one plane of the map, which counts once: an extraction may have found it in parts.
+/// Those that are `others` of each other may not.
 JointMatch matchJointly(std::span<const MatchChoices> planes, const Matrix6d& poseCovariance,
                         const MatchLimits& limits = {});
 

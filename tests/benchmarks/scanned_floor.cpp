@@ -24,8 +24,13 @@ namespace planewright {
 
 namespace {
 
-/// The true plane that most returns of each found plane lie on; kNoTruePlane where none has half of them.
-std::map<PlaneId, int> truthOf(const Snapshot& found, const SimulatedScan& scan)
+/// Found planes that are more than half a right angle off a true one are not of it.
+constexpr double kLikeCosine = 0.7;
+
+/// The true plane that most returns of each found plane lie on, of those that it may be; kNoTruePlane where none has
+/// half of these. A line on the floor where a wall meets it lies in the wall's plane as well, and may be longer than
+/// all that was seen of the wall.
+std::map<PlaneId, int> truthOf(const Snapshot& found, const Scene& scene, const SimulatedScan& scan)
 {
     const Labels labels = labelsOf(found, scan.recording);
     std::map<PlaneId, std::map<int, int>> counts;
@@ -36,14 +41,18 @@ std::map<PlaneId, int> truthOf(const Snapshot& found, const SimulatedScan& scan)
         }
     }
     std::map<PlaneId, int> truth;
-    for (const auto& [id, hits] : counts) {
+    for (const auto& plane : found.planes) {
         int points = 0;
         std::pair<int, int> most{0, kNoTruePlane};
-        for (const auto& [plane, hit] : hits) {
+        for (const auto& [number, hit] : counts[plane->id]) {
+            const bool isPlane = number >= 0;
+            if (isPlane &&
+                std::abs(scene.planes[static_cast<std::size_t>(number)].normal.dot(plane->normal)) < kLikeCosine)
+                continue;
             points += hit;
-            most = std::max(most, {hit, plane});
+            most = std::max(most, {hit, isPlane ? number : kNoTruePlane});
         }
-        truth[id] = 2 * most.first > points && most.second >= 0 ? most.second : kNoTruePlane;
+        truth[plane->id] = 2 * most.first > points ? most.second : kNoTruePlane;
     }
     return truth;
 }
@@ -92,7 +101,7 @@ public:
         for (const ScanSlice& slice : scan.recording.slices)
             extractor.advance(slice);
         const std::vector<Side> sides = addSides(scene, scan, at.pose);
-        addStop(*extractor.finish(), scan, sides, at.pose, odometry);
+        addStop(*extractor.finish(), scene, scan, sides, at.pose, odometry);
     }
 
     ScannedFloor take() { return std::move(floor_); }
@@ -135,14 +144,14 @@ private:
         return static_cast<int>(floor_.planes.size()) - 1;
     }
 
-    void addStop(const Snapshot& found, const SimulatedScan& scan, const std::vector<Side>& sides, const Pose& pose,
-                 const std::optional<Motion>& odometry)
+    void addStop(const Snapshot& found, const Scene& scene, const SimulatedScan& scan, const std::vector<Side>& sides,
+                 const Pose& pose, const std::optional<Motion>& odometry)
     {
         SimulatedStop stop;
         stop.truth = pose;
         stop.stop.id = static_cast<int>(floor_.stops.size());
         stop.stop.odometry = odometry;
-        const std::map<PlaneId, int> truth = truthOf(found, scan);
+        const std::map<PlaneId, int> truth = truthOf(found, scene, scan);
         auto& foundSides = floor_.sides.emplace_back();
         for (const auto& plane : found.planes) {
             stop.stop.planes.push_back(observedPlane(*plane, outlineOf(*plane, found.segments)));

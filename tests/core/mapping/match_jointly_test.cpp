@@ -4,6 +4,7 @@
 #include "core/mapping/match_jointly.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <QtTest>
@@ -23,6 +24,7 @@ private slots:
     void aPlaneThatMayBeEitherOfTwoHasARival();
     void twoPlanesOfAStopAreNotBothOnePlaneOfTheMap();
     void whatAnotherPlaneOfTheStopMayBeIsContested();
+    void partsOfOnePlaneCountOnce();
     void theWorkIsBounded();
 };
 
@@ -37,6 +39,17 @@ MatchChoices choicesAt(const Eigen::Vector3d& normal, std::initializer_list<doub
     for (const double offset : offsets)
         choices.candidates.push_back({choices.candidates.size(), {0.0, 0.0, offset}, 2.0 * seen.covariance});
     return choices;
+}
+
+/// Each candidate another plane of the map.
+std::vector<MatchChoices> allOfTheirOwn(std::vector<MatchChoices> planes)
+{
+    std::size_t known = 0;
+    for (MatchChoices& plane : planes) {
+        for (MatchCandidate& candidate : plane.candidates)
+            candidate.known = known++;
+    }
+    return planes;
 }
 
 Matrix6d wideCovariance()
@@ -91,6 +104,7 @@ void MatchJointlyTest::ofAllSetsItFindsTheLargestAndOfTheseTheLikeliest()
             if (random.uniform() < 0.5)
                 std::swap(plane.candidates[0], plane.candidates[1]);
         }
+        planes = allOfTheirOwn(std::move(planes));
 
         const JointMatch found = matchJointly(planes, wideCovariance());
 
@@ -127,9 +141,9 @@ void MatchJointlyTest::ofAllSetsItFindsTheLargestAndOfTheseTheLikeliest()
 /// Three walls say that the pose is right, a cupboard alone that it is 8 cm off; the cupboard is seen best.
 void MatchJointlyTest::movedFurnitureDoesNotPullTheWalls()
 {
-    const std::vector<MatchChoices> planes{
-        choicesAt(Eigen::Vector3d::UnitX(), {0.08}, 1e-3), choicesAt(Eigen::Vector3d::UnitX(), {0.0}),
-        choicesAt(-Eigen::Vector3d::UnitX(), {0.0}), choicesAt(Eigen::Vector3d::UnitY(), {0.0})};
+    const std::vector<MatchChoices> planes =
+        allOfTheirOwn({choicesAt(Eigen::Vector3d::UnitX(), {0.08}, 1e-3), choicesAt(Eigen::Vector3d::UnitX(), {0.0}),
+                       choicesAt(-Eigen::Vector3d::UnitX(), {0.0}), choicesAt(Eigen::Vector3d::UnitY(), {0.0})});
 
     const JointMatch found = matchJointly(planes, wideCovariance());
 
@@ -140,9 +154,9 @@ void MatchJointlyTest::movedFurnitureDoesNotPullTheWalls()
 
 void MatchJointlyTest::aPlaneThatMayBeEitherOfTwoHasARival()
 {
-    const std::vector<MatchChoices> planes{choicesAt(Eigen::Vector3d::UnitX(), {0.0}),
-                                           choicesAt(-Eigen::Vector3d::UnitX(), {0.0}),
-                                           choicesAt(Eigen::Vector3d::UnitX(), {0.003, -0.004, 0.2})};
+    const std::vector<MatchChoices> planes =
+        allOfTheirOwn({choicesAt(Eigen::Vector3d::UnitX(), {0.0}), choicesAt(-Eigen::Vector3d::UnitX(), {0.0}),
+                       choicesAt(Eigen::Vector3d::UnitX(), {0.003, -0.004, 0.2})});
 
     const JointMatch found = matchJointly(planes, wideCovariance());
 
@@ -162,13 +176,15 @@ void MatchJointlyTest::twoPlanesOfAStopAreNotBothOnePlaneOfTheMap()
     planes[2].candidates[0].known = 2;
     planes[3].candidates[0].known = 2;
 
-    QCOMPARE(matchJointly(planes, wideCovariance()).pairs, 4);
+    const JointMatch both = matchJointly(planes, wideCovariance());
+    QVERIFY(both.chosen[2] && both.chosen[3]);
     planes[2].others = {3};
     planes[3].others = {2};
     const JointMatch found = matchJointly(planes, wideCovariance());
 
-    QCOMPARE(found.pairs, 3);
     QVERIFY(found.chosen[2] && !found.chosen[3]);
+    QCOMPARE(both.pairs, 3);
+    QCOMPARE(found.pairs, 3);
 }
 
 /// Nothing but odometry tells which of two planes of the stop is the one that the map has.
@@ -189,6 +205,23 @@ void MatchJointlyTest::whatAnotherPlaneOfTheStopMayBeIsContested()
     // Half a metre is more than odometry allows.
     planes[1].candidates[0].apart.z() = 0.5;
     QVERIFY(!matchJointly(planes, wideCovariance()).isContested[0]);
+}
+
+/// Two small parts lie 8 cm behind a wall, and one place of the stop has them on the wall, another the wall itself.
+void MatchJointlyTest::partsOfOnePlaneCountOnce()
+{
+    std::vector<MatchChoices> planes{
+        choicesAt(Eigen::Vector3d::UnitX(), {0.04}), choicesAt(Eigen::Vector3d::UnitX(), {-0.04}),
+        choicesAt(Eigen::Vector3d::UnitX(), {-0.04}), choicesAt(Eigen::Vector3d::UnitY(), {0.0})};
+    planes[3].candidates[0].known = 1;
+    planes[0].others = {1, 2};
+    planes[1].others = planes[2].others = {0};
+
+    const JointMatch found = matchJointly(planes, wideCovariance());
+
+    QCOMPARE(found.pairs, 2);
+    const std::size_t wall = found.chosen[0] ? 0 : 1;
+    QVERIFY(found.chosen[wall] && found.isContested[wall]);
 }
 
 /// Twenty planes of which each may be any of eight, none of them together: it stops, and says so.
