@@ -14,7 +14,9 @@
 #include <benchmark/benchmark.h>
 
 #include "core/mapping/map_builder.h"
+#include "core/simulation/building.h"
 #include "tests/benchmarks/heap.h"
+#include "tests/benchmarks/scanned_floor.h"
 #include "tests/core/mapping/simulated_floor.h"
 
 using namespace planewright;
@@ -24,27 +26,42 @@ namespace {
 using Milliseconds = std::chrono::duration<double, std::milli>;
 using SteadyClock = std::chrono::steady_clock;
 
-/// Stops around a ring of corridors with rooms; after 20 of them the next ring, 60 m on: a campus.
-std::vector<Stop> campus(int stops, int aRing)
+/// A floor as it is seen, its planes drawn about the true ones: stops around a ring of corridors with rooms.
+std::vector<SimulatedStop> drawnFloor(int aRing, std::uint64_t seed)
 {
     SightNoise noise;
     noise.rays = 1500;
     noise.pointsPerRay = 60.0;
+    return seeFloor(ringFloor(seed), ringRoute(aRing, seed), noise, seed);
+}
+
+/// A floor of another building as it is scanned, its planes extracted.
+std::vector<SimulatedStop> scannedFloor(int aRing, std::uint64_t seed)
+{
+    const SimulatedBuilding building(1, seed);
+    return scanFloor(building, building.route(aRing), seed).stops;
+}
+
+/// Stops on one floor; after so many of them the next, 60 m on: a campus.
+template <class SeenFloor>
+std::vector<Stop> campus(int stops, int aRing, SeenFloor seenFloor)
+{
     std::vector<Stop> seen;
     Pose last;
     for (int ring = 0; static_cast<int>(seen.size()) < stops; ++ring) {
-        const auto seed = static_cast<std::uint64_t>(ring + 1);
+        auto there = seenFloor(aRing, static_cast<std::uint64_t>(ring + 1));
         const int count = std::min(aRing, stops - ring * aRing);
-        const std::vector<Pose> route = ringRoute(aRing, seed);
-        auto there = seeFloor(ringFloor(seed), {route.begin(), route.begin() + count}, noise, seed);
+        there.resize(static_cast<std::size_t>(count));
         const Pose place{Eigen::Quaterniond::Identity(), {60.0 * (ring % 25), 60.0 * (ring / 25), 0.0}};
         if (ring > 0) {
             const Pose motion = last.inverse() * (place * there[0].truth);
             there[0].stop.odometry = Motion{motion, odometryCovariance(motion, {})};
         }
         last = place * there.back().truth;
-        for (SimulatedStop& stop : there)
+        for (SimulatedStop& stop : there) {
+            stop.stop.id = static_cast<int>(seen.size());
             seen.push_back(std::move(stop.stop));
+        }
     }
     return seen;
 }
@@ -70,7 +87,7 @@ double mean(std::span<const double> values)
 
 void joinTwentyStops(benchmark::State& state)
 {
-    const std::vector<Stop> stops = campus(20, 20);
+    const std::vector<Stop> stops = campus(20, 20, drawnFloor);
     std::vector<double> best(stops.size(), INFINITY);
     for ([[maybe_unused]] const auto _ : state) {
         MapBuilder builder;
@@ -84,7 +101,7 @@ void joinTwentyStops(benchmark::State& state)
 
 void adjustSeventyStops(benchmark::State& state)
 {
-    const std::vector<Stop> stops = campus(70, 70);
+    const std::vector<Stop> stops = campus(70, 70, drawnFloor);
     MapBuilder joined;
     joinAll(joined, stops);
     for ([[maybe_unused]] const auto _ : state) {
@@ -98,9 +115,10 @@ void adjustSeventyStops(benchmark::State& state)
 }
 
 /// What a stop costs in time and memory, the first thousand but ten against the last thousand.
-void joinManyStops(benchmark::State& state)
+template <class SeenFloor>
+void joinManyStops(benchmark::State& state, SeenFloor seenFloor)
 {
-    const std::vector<Stop> stops = campus(static_cast<int>(state.range(0)), 20);
+    const std::vector<Stop> stops = campus(static_cast<int>(state.range(0)), 20, seenFloor);
     for ([[maybe_unused]] const auto _ : state) {
         MapBuilder builder;
         const std::size_t half = stops.size() / 2;
@@ -129,6 +147,15 @@ void joinManyStops(benchmark::State& state)
 
 BENCHMARK(joinTwentyStops)->Unit(benchmark::kMillisecond);
 BENCHMARK(adjustSeventyStops)->Unit(benchmark::kMillisecond);
-BENCHMARK(joinManyStops)->Arg(1000)->Arg(10000)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(joinManyStops, drawn, drawnFloor)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(joinManyStops, scanned, scannedFloor)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 BENCHMARK_MAIN();
