@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,22 +64,21 @@ std::pair<UncertainPlane, double> fusedOf(const std::vector<UncertainPlane>& see
 /// much.
 std::vector<SightingGroup> firstGroups(const std::vector<UncertainPlane>& seen)
 {
-    std::vector<std::size_t> all;
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        all.push_back(i);
+    std::vector<std::size_t> all(seen.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
     const UncertainPlane plane = fusedOf(seen, all).first;
-    const auto doubtful =
-        std::ranges::stable_partition(all, [&](std::size_t i) { return chiSquare(plane, seen[i]) < kDoubtful; });
+    std::vector<std::size_t> near;
+    std::vector<std::size_t> doubtful;
+    for (const std::size_t i : all)
+        (chiSquare(plane, seen[i]) < kDoubtful ? near : doubtful).push_back(i);
     std::vector<SightingGroup> groups;
     if (doubtful.empty() || doubtful.size() > kOneByOne)
         return groups;
-    std::vector<std::size_t> near(all.begin(), doubtful.begin());
-    if (seen.size() > kOneByOne)
+    const bool isMany = seen.size() > kOneByOne;
+    if (isMany)
         groups.push_back({near, fusedOf(seen, near).first});
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        if (seen.size() <= kOneByOne || std::ranges::find(doubtful, i) != doubtful.end())
-            groups.push_back({{i}, seen[i]});
-    }
+    for (const std::size_t i : isMany ? doubtful : all)
+        groups.push_back({{i}, seen[i]});
     return groups;
 }
 

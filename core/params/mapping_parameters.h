@@ -22,7 +22,7 @@ struct MappingParameters {
     double searchTilt = degrees(5.0);
     double rivalShare = 0.8;
     int leastPairs = 3;
-    double chancePlanes = 10.0;
+    double chancePlanes = 200.0;
 };
 
 constexpr auto rowsOf(const MappingParameters& /*part*/)
