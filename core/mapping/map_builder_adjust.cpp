@@ -72,8 +72,19 @@ Result<MapAdjustment> MapBuilder::adjustToUnevenness(const MapAdjustment& adjust
         done = adjustWhole();
     }
     // Seen this closely, some of what matched by what was told does not.
-    for (int round = 0; round < kContradictionRounds && done && divideContradictions(map_) > 0; ++round)
-        done = adjustWhole();
+    for (int round = 0; round < kContradictionRounds && done; ++round) {
+        BuildingMap other = map_;
+        if (divideContradictions(other) == 0)
+            break;
+        std::swap(map_, other);
+        const auto divided = adjustWhole();
+        if (!divided) {
+            // A stop rests on what was divided.
+            std::swap(map_, other);
+            break;
+        }
+        done = divided;
+    }
     for (std::size_t stop = 0; stop < told.size(); ++stop)
         map_.stops[stop].stop = told[stop];
     return done;
