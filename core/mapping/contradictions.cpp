@@ -90,6 +90,26 @@ void sortBySize(std::vector<SightingGroup>& groups)
     });
 }
 
+/// The two groups that are nearest to each other.
+struct NearestGroups {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double chi = std::numeric_limits<double>::infinity();
+};
+
+/// `chis` has a row for each group, of what it is apart from each before it.
+NearestGroups nearestOf(const std::vector<std::vector<double>>& chis)
+{
+    NearestGroups nearest;
+    for (std::size_t a = 0; a < chis.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            if (chis[a][b] < nearest.chi)
+                nearest = {b, a, chis[a][b]};
+        }
+    }
+    return nearest;
+}
+
 /// Joins the two groups that are nearest to each other until all that are left contradict each other.
 std::vector<SightingGroup> groupsOf(const std::vector<UncertainPlane>& seen)
 {
@@ -100,21 +120,9 @@ std::vector<SightingGroup> groupsOf(const std::vector<UncertainPlane>& seen)
         for (std::size_t b = 0; b < a; ++b)
             chis[a].push_back(apart(a, b));
     }
-    while (groups.size() > 1) {
-        double least = std::numeric_limits<double>::infinity();
-        std::size_t kept = 0;
-        std::size_t gone = 0;
-        for (std::size_t a = 0; a < groups.size(); ++a) {
-            for (std::size_t b = 0; b < a; ++b) {
-                if (chis[a][b] < least) {
-                    least = chis[a][b];
-                    kept = b;
-                    gone = a;
-                }
-            }
-        }
-        if (!(least < kContradicts))
-            break;
+    for (NearestGroups nearest = nearestOf(chis); nearest.chi < kContradicts; nearest = nearestOf(chis)) {
+        const std::size_t kept = nearest.first;
+        const std::size_t gone = nearest.second;
         std::vector<std::size_t>& members = groups[kept].members;
         members.insert(members.end(), groups[gone].members.begin(), groups[gone].members.end());
         groups[kept].plane = fused(groups[kept].plane, groups[gone].plane);
