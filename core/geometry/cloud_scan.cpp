@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <cstddef>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -20,4 +20,13 @@ inline Eigen::Matrix<double, 3, 2> tangentsOf(const Eigen::Vector3d& normal)
     return tangents;
 }
 
+/// What leads from a plane's parameters, angles about two tangents and d, to those about the tangents of another plane
+/// of nearly the same normal.
+inline Eigen::Matrix3d betweenTangents(const Eigen::Matrix<double, 3, 2>& from, const Eigen::Matrix<double, 3, 2>& to)
+{
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn.topLeftCorner<2, 2>() = to.transpose() * from;
+    return turn;
+}
+
 }  // namespace planewright

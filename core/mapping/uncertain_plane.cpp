@@ -95,8 +95,7 @@ Eigen::Vector3d difference(const UncertainPlane& from, const UncertainPlane& to)
 
 Eigen::Matrix3d covarianceIn(const UncertainPlane& frame, const UncertainPlane& plane)
 {
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    turn.topLeftCorner<2, 2>() = frame.tangents.transpose() * plane.tangents;
+    const Eigen::Matrix3d turn = betweenTangents(plane.tangents, frame.tangents);
     return turn * plane.covariance * turn.transpose();
 }
 

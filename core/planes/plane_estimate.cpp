@@ -80,8 +80,7 @@ PlaneEstimate::PlaneEstimate(const Eigen::Vector3d& normal, double distance)
 PlaneEstimate PlaneEstimate::afresh() const
 {
     PlaneEstimate estimate(normal_, distance_);
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    turn.topLeftCorner<2, 2>() = estimate.tangents_.transpose() * tangents_;
+    const Eigen::Matrix3d turn = betweenTangents(tangents_, estimate.tangents_);
     estimate.covariance_ = turn * covariance_ * turn.transpose();
     estimate.normalVariance_ = normalVariance_;
     return estimate;
@@ -222,10 +221,7 @@ PlaneDisparity PlaneEstimate::disparity(const PlaneEstimate& other, double floor
 {
     const double side = normal_.dot(other.normal_) < 0.0 ? -1.0 : 1.0;
     // Both in this plane's tangents: a turn of the other's normal is one of this, seen from here.
-    const Eigen::Matrix2d turn = tangents_.transpose() * other.tangents_;
-    Eigen::Matrix3d toHere = Eigen::Matrix3d::Zero();
-    toHere.topLeftCorner<2, 2>() = turn;
-    toHere(2, 2) = 1.0;
+    const Eigen::Matrix3d toHere = betweenTangents(other.tangents_, tangents_);
     Eigen::Vector3d apart;
     apart.head<2>() = tangents_.transpose() * (side * other.normal_ - normal_);
     apart[2] = side * other.distance_ - distance_;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/tangents.h"
 #include "core/planes/track_stages.h"
 
 namespace planewright {
@@ -124,8 +125,7 @@ void addBorderErrors(PlaneTrack& plane, const SegmentBatch& counting)
         if (!s.endsFree)
             atEnds += gradientAt(s.end);
     }
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    turn.topLeftCorner<2, 2>() = plane.estimate.tangents().transpose() * estimate.tangents();
+    const Eigen::Matrix3d turn = betweenTangents(estimate.tangents(), plane.estimate.tangents());
     plane.estimate.addCommonErrors(std::array<Eigen::Vector3d, 2>{turn * atStarts, turn * atEnds});
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/evaluation/compare_labels.h"
 #include "core/formats/labels.h"
+#include "core/geometry/tangents.h"
 #include "core/pipeline/plane_extractor.h"
 
 namespace planewright {
@@ -76,9 +77,7 @@ std::optional<RepeatedPlane> movedBetween(std::shared_ptr<const Plane> first, st
     repeated.moved.head<2>() = first->tangents.transpose() * (side * second->normal - first->normal);
     repeated.moved[2] = side * second->distance - first->distance;
     // A turn of both normals to the other side turns all three unknowns: covariances stay what they are.
-    Eigen::Matrix3d toFirst = Eigen::Matrix3d::Zero();
-    toFirst.topLeftCorner<2, 2>() = first->tangents.transpose() * second->tangents;
-    toFirst(2, 2) = 1.0;
+    const Eigen::Matrix3d toFirst = betweenTangents(second->tangents, first->tangents);
     const Eigen::Matrix3d seconds = toFirst * second->covariance * toFirst.transpose();
     repeated.covariance = share == Share::Nothing ? Eigen::Matrix3d(first->covariance + seconds)
                                                   : Eigen::Matrix3d(first->covariance - seconds);

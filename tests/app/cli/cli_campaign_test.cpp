@@ -62,9 +62,10 @@ void CliCampaignTest::initTestCase()
 void CliCampaignTest::parallelDoesThemAllAndOnlyOnce()
 {
     QVERIFY(QDir(folder_.path()).mkpath("planes"));
-    const QStringList command{"-c",
-                              "parallel --will-cite -j 2 --joblog campaign.log \"$PLANEWRIGHT_CLI\" extract {} "
-                              "--planes planes/{/.}.json --skip-existing ::: scans/*.csv.gz"};
+    const QStringList command{
+        "-c",
+        "parallel --will-cite -j 2 --joblog campaign.log \"$PLANEWRIGHT_CLI\" extract {} "
+        "-P likelihood.chance-planes=200 --planes planes/{/.}.json --skip-existing ::: scans/*.csv.gz"};
     QCOMPARE(runIn("bash", command), 0);
     QCOMPARE(done("planes").size(), 5);
     const QByteArray first = bytesOf(path("planes/s1.csv.json"));
