@@ -13,7 +13,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "core/mapping/uncertain_plane.h"
 #include "core/types/angle.h"
 #include "core/types/square.h"
 
@@ -21,7 +20,6 @@ namespace planewright {
 
 namespace {
 
-const double kUprightSine = std::sin(degrees(10.0));
 const double kFacingCosine = std::cos(degrees(10.0));
 const double kFirstFacingCosine = std::cos(degrees(35.0));
 const double kTurnStep = degrees(0.25);  ///< turns that differ by about as much agree
@@ -52,7 +50,7 @@ std::vector<SnapWall> wallsOf(std::span<const FacedPlane> planes)
 {
     std::vector<SnapWall> walls;
     for (const FacedPlane& plane : planes) {
-        if (std::abs(plane.normal.z()) > kUprightSine || plane.parts.empty())
+        if (!isUpright(plane) || plane.parts.empty())
             continue;
         SnapWall wall;
         const double level = plane.normal.head<2>().norm();
@@ -234,22 +232,6 @@ Eigen::Vector2d bestShift(const Eigen::Vector2d& around, double reach, double st
 
 }  // namespace
 
-std::vector<FacedPlane> facedPlanes(const BuildingMap& map, const Pose& frame)
-{
-    std::vector<FacedPlane> planes;
-    for (const MapPlane& plane : map.planes) {
-        if (plane.sightings.empty())
-            continue;
-        const UncertainPlane there = inMap(plane.parameters, frame);
-        FacedPlane& faced = planes.emplace_back(FacedPlane{there.normal, there.distance, fusedOutline(map, plane)});
-        for (Outline::Polygon& part : faced.parts) {
-            for (Eigen::Vector3d& corner : part.ring)
-                corner = frame * corner;
-        }
-    }
-    return planes;
-}
-
 Result<FloorSnap> snapFloor(std::span<const FacedPlane> floor, std::span<const FacedPlane> onto)
 {
     const std::vector<SnapWall> walls = wallsOf(floor);
@@ -306,6 +288,11 @@ Result<FloorSnap> snapFloor(std::span<const FacedPlane> floor, std::span<const F
     }
     snap.motion.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(motion.turn, Eigen::Vector3d::UnitZ()));
     snap.motion.translation = {motion.shift.x(), motion.shift.y(), 0.0};
+    std::vector<FacedPlane> there(floor.begin(), floor.end());
+    std::ranges::transform(there, there.begin(), [&](const FacedPlane& plane) { return moved(plane, snap.motion); });
+    snap.height = snapHeight(there, onto);
+    if (snap.height)
+        snap.motion.translation.z() = snap.height->lift;
     return snap;
 }
 

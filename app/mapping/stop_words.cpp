@@ -22,6 +22,23 @@ std::string weakDirection(const MapStop& stop)
     return "(" + fixedText(weak.x(), 2) + " " + fixedText(weak.y(), 2) + " " + fixedText(weak.z(), 2) + ")";
 }
 
+bool hasOdometry(const MapStop& stop)
+{
+    return stop.stop && stop.stop->odometry;
+}
+
+std::string whyUnplaced(const MapStop& stop)
+{
+    const std::size_t places = stop.alternatives.size();
+    const std::string others = std::to_string(places) + (places == 1 ? " other place" : " other places");
+    if (places > 0 && hasOdometry(stop))
+        return "its planes fit " + others + " in the map better than that of odometry, but not clearly so";
+    if (places > 1)
+        return "its planes fit " + std::to_string(places) + " places in the map and nothing tells which";
+    return places == 1 ? "its planes fit a place in the map but do not fix it there"
+                       : "its planes fix no place in the map";
+}
+
 }  // namespace
 
 std::string trustText(StopTrust trust)
@@ -50,11 +67,9 @@ std::string warningOf(const MapStop& stop)
         case StopTrust::First:
             return {};
         case StopTrust::Unplaced:
-            return stop.alternatives.empty()
-                       ? "its planes fix no place in the map; it is left out. Give its odometry, or scan nearer"
-                       : "its planes fit " + others +
-                             " places in the map and nothing tells which; it is left out. "
-                             "Give its odometry";
+            return whyUnplaced(stop) + "; it is left out. " +
+                   (hasOdometry(stop) ? "Check its odometry, or scan once more between"
+                                      : "Give its odometry, or scan nearer");
         case StopTrust::OdometryAlone:
             return "too few of its planes are in the map; it is where odometry says, unchecked. Scan once more between";
         case StopTrust::OdometryDecides:

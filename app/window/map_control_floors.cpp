@@ -32,6 +32,12 @@ std::pair<Pose, QString> snapped(const MappedFloor& floor, const MappedFloor& ot
                        .arg(1000.0 * snap->rms, 0, 'f', 1);
     if (!snap->isFixed)
         text += QObject::tr(" They fix not all of its place: along them it stays as it was.");
+    if (snap->height)
+        text += QObject::tr(" Its height is that of %1 of stairs, within %2 mm.")
+                    .arg(countText(snap->height->surfaces, QObject::tr("surface"), QObject::tr("surfaces")))
+                    .arg(1000.0 * snap->height->rms, 0, 'f', 1);
+    else
+        text += QObject::tr(" Its height stays: no stairs are seen from both floors near where it is now.");
     return {snap->motion * place, text};
 }
 
@@ -97,7 +103,7 @@ void MapControl::askFloor(int number)
                                    isByHand ? std::optional(there) : std::nullopt, there, parts_.window.get());
     if (floors.size() > 1) {
         const MappedFloor& other = floor == floors.begin() ? floors[1] : *std::prev(floor);
-        dialog->offerToFit(tr("&Snap to the walls of floor %1").arg(other.floor),
+        dialog->offerToFit(tr("&Snap to walls and stairs of floor %1").arg(other.floor),
                            [map = map_, &mapped = *floor, &other, back = stop->pose.inverse()](const Pose& place) {
                                return snapped(mapped, other, back, place);
                            });

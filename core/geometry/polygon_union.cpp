@@ -36,14 +36,10 @@ constexpr std::size_t kUnitedAtOnce = 32;
 struct Grid {
     double unitsPerMetre;
 
-    explicit Grid(const std::vector<PlanarRing>& rings)
+    /// Fine enough for coordinates up to `reach` [m].
+    explicit Grid(double reach)
+        : unitsPerMetre(reach * kUnitsPerMetre > kGridLimit ? kGridLimit / reach : kUnitsPerMetre)
     {
-        double reach = 0.0;
-        for (const PlanarRing& ring : rings) {
-            for (const Eigen::Vector2d& point : ring)
-                reach = std::max(reach, point.cwiseAbs().maxCoeff());
-        }
-        unitsPerMetre = reach * kUnitsPerMetre > kGridLimit ? kGridLimit / reach : kUnitsPerMetre;
     }
 
     Path toGrid(const PlanarRing& ring) const
@@ -65,6 +61,16 @@ struct Grid {
         return ring;
     }
 };
+
+double reachOf(const std::vector<PlanarRing>& rings)
+{
+    double reach = 0.0;
+    for (const PlanarRing& ring : rings) {
+        for (const Eigen::Vector2d& point : ring)
+            reach = std::max(reach, point.cwiseAbs().maxCoeff());
+    }
+    return reach;
+}
 
 using Box = Eigen::AlignedBox2d;
 using Group = std::vector<std::size_t>;
@@ -185,7 +191,7 @@ double signedArea(const PlanarRing& ring)
 
 std::vector<PlanarPolygon> unionOf(const std::vector<PlanarRing>& rings)
 {
-    const Grid grid(rings);
+    const Grid grid(reachOf(rings));
     std::vector<PlanarPolygon> polygons;
     for (const Group& group : groupsApart(rings, 3.0 * kCrack)) {
         Paths paths;
@@ -199,6 +205,22 @@ std::vector<PlanarPolygon> unionOf(const std::vector<PlanarRing>& rings)
         appendPolygons(closed, grid, polygons);
     }
     return polygons;
+}
+
+double sharedArea(const std::vector<PlanarRing>& a, const std::vector<PlanarRing>& b)
+{
+    const Grid grid(std::max(reachOf(a), reachOf(b)));
+    ClipperLib::Clipper clipper;
+    for (const PlanarRing& ring : a)
+        clipper.AddPath(grid.toGrid(ring), ClipperLib::ptSubject, true);
+    for (const PlanarRing& ring : b)
+        clipper.AddPath(grid.toGrid(ring), ClipperLib::ptClip, true);
+    Paths shared;
+    clipper.Execute(ClipperLib::ctIntersection, shared, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+    double area = 0.0;
+    for (const Path& path : shared)
+        area += ClipperLib::Area(path);
+    return std::abs(area) / (grid.unitsPerMetre * grid.unitsPerMetre);
 }
 
 }  // namespace planewright

@@ -22,6 +22,10 @@ struct PlanarPolygon {
 /// of segment ends. No order of parts, holes and first vertices is promised.
 std::vector<PlanarPolygon> unionOf(const std::vector<PlanarRing>& rings);
 
+/// The area [m²] that two sets of rings share, each being what its rings wind around, clockwise ones taken off; on the
+/// same grid.
+double sharedArea(const std::vector<PlanarRing>& a, const std::vector<PlanarRing>& b);
+
 /// Signed area of a ring [m²], positive if counter-clockwise.
 double signedArea(const PlanarRing& ring);
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "core/simulation/random.h"
 #include "core/types/angle.h"
 
@@ -30,6 +32,9 @@ constexpr double kShell = 8.0;  // from the ring's middle to the end of floor an
 constexpr double kBayBegin = 8.4;
 constexpr double kBayEnd = 11.4;
 constexpr double kBayDepth = 5.6;
+constexpr double kFlight = 1.0;                   // width [m]
+constexpr double kStairsWay = kBayEnd - kFlight;  // of the ring, to where both flights are in front
+constexpr double kGoing = 0.28;
 constexpr int kSteps = 16;
 
 struct Stretch {
@@ -129,51 +134,73 @@ void addCoreSide(SceneBuilder& floor, const std::string& name, const Stretch& si
         floor.recess(name + " door " + std::to_string(++number), plan, door, depth);
 }
 
-/// The stairwell: its walls go up through the ceiling, and a flight leads to the next floor on the right.
-void addStairwell(SceneBuilder& floor, bool hasFlight)
+/// Of a flight as the plan shows it, from its lowest riser to where it arrives above.
+Eigen::AlignedBox2d flightFrom(int floor)
+{
+    // One above the other there would be no way past them; each second one leads up beside the first.
+    const double right = kBayEnd - (floor % 2) * kFlight;
+    const double begin = kHalfRing + 0.3;
+    return {Eigen::Vector2d(right - kFlight, begin), Eigen::Vector2d(right, begin + kSteps * kGoing)};
+}
+
+/// The flight that leads up from a floor, which lies at a height.
+void addFlight(SceneBuilder& floor, const std::string& name, const Eigen::AlignedBox2d& flight, double height)
+{
+    constexpr double kRise = SimulatedBuilding::kStoreyHeight / kSteps;
+    for (int i = 0; i < kSteps; ++i) {
+        const double y = flight.min().y() + i * kGoing;
+        const std::string step = name + " " + std::to_string(i + 1);
+        const double bottom = height + i * kRise;
+        floor.wall(step + " riser", {{flight.max().x(), y}, {flight.min().x(), y}, bottom, bottom + kRise});
+        floor.level(step + " tread", bottom + kRise, {flight.min().x(), y}, {flight.max().x(), y + kGoing});
+    }
+}
+
+/// A horizontal plane that is open where another rectangle is.
+void addAround(SceneBuilder& floor, const std::string& name, double height, const Eigen::AlignedBox2d& plan,
+               const Eigen::AlignedBox2d& open)
+{
+    const int plane = floor.level(name, height, plan.min(), {plan.max().x(), open.min().y()});
+    const auto more = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+        floor.extend(plane, {from.x(), from.y(), height}, {to.x() - from.x(), 0.0, 0.0}, {0.0, to.y() - from.y(), 0.0});
+    };
+    more({plan.min().x(), open.min().y()}, {open.min().x(), open.max().y()});
+    more({open.max().x(), open.min().y()}, {plan.max().x(), open.max().y()});
+    more({plan.min().x(), open.max().y()}, plan.max());
+}
+
+/// The stairwell: its walls go up through the ceiling and down to the floor below, as flights do.
+void addStairwell(SceneBuilder& floor, int number, bool isHighest)
 {
     const double front = kHalfRing;
     const double back = kHalfRing + kBayDepth;
     const double top = SimulatedBuilding::kStoreyHeight;
-    floor.wall("stairwell left wall", {{kBayBegin, back}, {kBayBegin, front}, 0.0, top});
-    floor.wall("stairwell right wall", {{kBayEnd, front}, {kBayEnd, back}, 0.0, top});
-    floor.wall("stairwell end wall", {{kBayEnd, back}, {kBayBegin, back}, 0.0, top});
-    if (!hasFlight)
-        return;
-    const double left = 0.5 * (kBayBegin + kBayEnd);
-    const double rise = top / kSteps;
-    const double run = 0.28;
-    for (int i = 0; i < kSteps; ++i) {
-        const double y = front + 0.8 + i * run;
-        const std::string step = "step " + std::to_string(i + 1);
-        floor.wall(step + " riser", {{kBayEnd, y}, {left, y}, i * rise, (i + 1) * rise});
-        floor.level(step + " tread", (i + 1) * rise, {left, y}, {kBayEnd, y + run});
+    const double bottom = number > 0 ? -SimulatedBuilding::kStoreyHeight : 0.0;
+    floor.wall("stairwell left wall", {{kBayBegin, back}, {kBayBegin, front}, bottom, top});
+    floor.wall("stairwell right wall", {{kBayEnd, front}, {kBayEnd, back}, bottom, top});
+    floor.wall("stairwell end wall", {{kBayEnd, back}, {kBayBegin, back}, bottom, top});
+    if (!isHighest)
+        addFlight(floor, "step", flightFrom(number), 0.0);
+    if (number > 0) {
+        addFlight(floor, "step down", flightFrom(number - 1), bottom);
+        floor.level("floor below", bottom, {kBayBegin, front}, {kBayEnd, back});
     }
 }
 
-/// Open above the stairwell.
-void addCeiling(SceneBuilder& floor, const Eigen::Vector2d& low, const Eigen::Vector2d& high)
-{
-    const double back = kHalfRing + kBayDepth;
-    const int ceiling = floor.level("ceiling", kCeilingHeight, low, {high.x(), kHalfRing});
-    const auto more = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-        floor.extend(ceiling, {from.x(), from.y(), kCeilingHeight}, {to.x() - from.x(), 0.0, 0.0},
-                     {0.0, to.y() - from.y(), 0.0});
-    };
-    more({low.x(), kHalfRing}, {kBayBegin, back});
-    more({kBayEnd, kHalfRing}, {high.x(), back});
-    more({low.x(), back}, high);
-}
-
-SceneBuilder makeFloor(int number, bool hasFlight, std::uint64_t seed)
+SceneBuilder makeFloor(int number, bool isHighest, std::uint64_t seed)
 {
     Random random(seed, 1000 + static_cast<std::uint64_t>(number));
     SceneBuilder floor("floor " + std::to_string(number));
     const double h = kHalfRing;
-    const Eigen::Vector2d low(-kShell, -kShell);
-    const Eigen::Vector2d high(kRingLength + kShell, kRingWidth + kShell);
-    floor.level("floor", 0.0, low, high);
-    addCeiling(floor, low, high);
+    const Eigen::AlignedBox2d plan(Eigen::Vector2d(-kShell, -kShell),
+                                   Eigen::Vector2d(kRingLength + kShell, kRingWidth + kShell));
+    if (number > 0)
+        addAround(floor, "floor", 0.0, plan, flightFrom(number - 1));
+    else
+        floor.level("floor", 0.0, plan.min(), plan.max());
+    // Open above the stairwell.
+    addAround(floor, "ceiling", kCeilingHeight, plan,
+              {Eigen::Vector2d(kBayBegin, h), Eigen::Vector2d(kBayEnd, h + kBayDepth)});
 
     // The core as it is seen from the corridor: clockwise.
     const Eigen::Vector2d inner[4] = {
@@ -191,7 +218,7 @@ SceneBuilder makeFloor(int number, bool hasFlight, std::uint64_t seed)
         const double depth = random.uniform(0.05, 0.1);
         addCoreSide(floor, innerNames[i], side, bays, depth, random);
     }
-    addStairwell(floor, hasFlight);
+    addStairwell(floor, number, isHighest);
     int pillars = 0;
     for (const bool isFront : {true, false}) {
         const double y = isFront ? h - 0.2 : kRingWidth - h + 0.2;
@@ -215,6 +242,7 @@ struct RingPlace {
 
 RingPlace placeOnRing(double way)
 {
+    way = std::fmod(way, kAround);
     if (way < kRingLength)
         return {{way, 0.0}, 0.0};
     way -= kRingLength;
@@ -226,11 +254,12 @@ RingPlace placeOnRing(double way)
     return {{0.0, kRingWidth - (way - kRingLength)}, degrees(270.0)};
 }
 
-Pose stopOnRing(double way, Random& random)
+/// `gaze` is to the left of the way [rad].
+Pose stopOnRing(double way, double gaze, Random& random)
 {
     const auto [place, heading] = placeOnRing(way);
     // The scanner looks along its y.
-    const double yaw = heading - degrees(90.0) + random.uniform(-0.2, 0.2);
+    const double yaw = heading + gaze - degrees(90.0) + random.uniform(-0.2, 0.2);
     const double roll = random.uniform(-0.005, 0.005);
     const double pitch = random.uniform(-0.005, 0.005);
     const double x = place.x() + random.uniform(-0.3, 0.3);
@@ -257,7 +286,7 @@ Pose toldMotion(const Pose& motion, Random& random)
 SimulatedBuilding::SimulatedBuilding(int floors, std::uint64_t seed) : seed_(seed)
 {
     for (int floor = 0; floor < floors; ++floor)
-        floors_.push_back(makeFloor(floor, floor + 1 < floors, seed));
+        floors_.push_back(makeFloor(floor, floor + 1 == floors, seed));
 }
 
 Scene SimulatedBuilding::sceneAt(int floor, const Pose& pose) const
@@ -274,7 +303,13 @@ std::vector<BuildingStop> SimulatedBuilding::route(int stops) const
         const int first = stops * floor / floors();
         const int count = stops * (floor + 1) / floors() - first;
         for (int i = 0; i < count; ++i) {
-            BuildingStop stop{floor, stopOnRing(kAround * (i + 0.5) / count, random), {}};
+            BuildingStop stop{floor, {}, {}};
+            if (floors() == 1)
+                stop.pose = stopOnRing(kAround * (i + 0.5) / count, 0.0, random);
+            else if (i == 0)
+                stop.pose = stopOnRing(kStairsWay, degrees(90.0), random);
+            else
+                stop.pose = stopOnRing(kStairsWay + kAround * (i - 1) / (count - 1), 0.0, random);
             if (i > 0) {
                 const BuildingStop& before = route.back();
                 stop.odometry = before.odometry * toldMotion(before.pose.inverse() * stop.pose, random);

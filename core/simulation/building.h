@@ -22,7 +22,8 @@ struct BuildingStop {
 
 /// A building of floors around a core: a ring of corridors, 20 m × 10 m along its middle, with rooms behind open doors
 /// all around it, cupboards, pillars, and in the core a stairwell that goes through all floors. Walls of core, shell
-/// and stairwell stand above each other; rooms, doors and furniture are each floor's own, by the seed.
+/// and stairwell stand above each other; rooms, doors and furniture are each floor's own, by the seed. A floor is open
+/// over the flight that leads up to it, which is seen from both.
 class SimulatedBuilding {
 public:
     static constexpr double kStoreyHeight = 3.2;  ///< from floor to floor [m]
@@ -36,6 +37,8 @@ public:
     Scene sceneAt(int floor, const Pose& pose) const;
 
     /// So many stops, once round the ring of each floor, from the lowest up; the last of a floor is next to its first.
+    /// Where there are several floors, the first of each is in front of the stairs and looks at them; from there it
+    /// goes round.
     /// Odometry has the errors of OdometryNoise for each motion, and neither height nor tilt. Needs a stop for each
     /// floor at least.
     std::vector<BuildingStop> route(int stops) const;

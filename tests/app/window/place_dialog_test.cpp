@@ -109,10 +109,11 @@ void PlaceDialogTest::itLooksAsItDid()
     QFETCH(bool, dark);
     applyTheme(dark ? Theme::Dark : Theme::Light);
     PlaceDialog dialog(floorWords(), placeAt({-12.345, 100.25, 3.0}, degrees(-123.5)), Pose{});
-    dialog.offerToFit(QStringLiteral("&Snap to the walls of floor 0"), [](const Pose& from) {
+    dialog.offerToFit(QStringLiteral("&Snap to walls and stairs of floor 0"), [](const Pose& from) {
         return std::pair(from,
-                         QStringLiteral("12 walls, 34 m of them, now lie over walls of floor 0. Moved by 0.125 m, "
-                                        "turned by 0.50°."));
+                         QStringLiteral("2 walls over walls of floor 0, within 12.5 mm. They fix not all of its place: "
+                                        "along them it stays as it was. Its height stays: no stairs are seen from both "
+                                        "floors near where it is now."));
     });
     dialog.explain(
         QStringLiteral("Or drag the handles in the view: the middle shifts the floor, the knob on the ring "

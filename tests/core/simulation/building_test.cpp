@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <QtTest>
 
+#include "core/simulation/ray_caster.h"
 #include "core/types/angle.h"
 #include "tests/test_program.h"
 
@@ -21,6 +23,9 @@ private slots:
     void aRouteGoesOnceRoundEachFloor();
     void odometryHasTheErrorsThatAreTold();
     void theStairwellIsTheSameOnAllFloors();
+    void theFlightUpToAFloorIsSeenFromIt();
+    void flightsStandNextToEachOtherByTurns();
+    void theFirstStopOfAFloorLooksAtTheStairs();
     void theFloorIsAsFarBelowAsTheScannerIsHigh();
     void aStopSeesNoOtherSideOfTheWall();
     void theSeedMakesTheBuilding();
@@ -32,6 +37,14 @@ std::optional<TruePlane> planeOf(const Scene& scene, const std::string& name)
 {
     const auto found = std::ranges::find(scene.planes, name, &TruePlane::name);
     return found == scene.planes.end() ? std::nullopt : std::optional(*found);
+}
+
+/// How far it is straight down to the first surface.
+double rangeDown(const Scene& scene)
+{
+    const RayCaster rays(scene, allSurfaces(scene), 0.0, 0.0);
+    const auto hit = rays.cast(Eigen::Vector3d::UnitY());  // at bearing 90° and tilt 0°
+    return hit ? hit->range : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -107,6 +120,51 @@ void BuildingTest::theStairwellIsTheSameOnAllFloors()
     // A flight leads to each floor above: none from the highest.
     QVERIFY(planeOf(building.sceneAt(1, pose), "step 16 tread"));
     QVERIFY(!planeOf(building.sceneAt(2, pose), "step 1 riser"));
+}
+
+void BuildingTest::theFlightUpToAFloorIsSeenFromIt()
+{
+    const SimulatedBuilding building(2, 2);
+    // Above the middle of the flight, 0.5 m over the upper floor; and as far over its edge.
+    const Eigen::Vector3d place(10.9, 3.6, 0.5);
+    const Scene upper = building.sceneAt(1, {Eigen::Quaterniond::Identity(), place});
+    const Scene lower = building.sceneAt(0, {Eigen::Quaterniond::Identity(), place + Eigen::Vector3d(0.0, 0.0, 3.2)});
+    const Scene beside = building.sceneAt(1, {Eigen::Quaterniond::Identity(), {9.9, 3.6, 0.5}});
+
+    // Tread 8 is 1.6 m above the lower floor.
+    for (const Scene* scene : {&upper, &lower})
+        QVERIFY(std::abs(rangeDown(*scene) - 2.1) < 1e-9);
+    QVERIFY(std::abs(rangeDown(beside) - 0.5) < 1e-9);
+    const std::optional<TruePlane> above = planeOf(upper, "step down 11 riser");
+    const std::optional<TruePlane> below = planeOf(lower, "step 11 riser");
+    QVERIFY(above && below);
+    QVERIFY((above->normal - below->normal).norm() < 1e-12);
+    QVERIFY(std::abs(above->distance - below->distance) < 1e-12);
+}
+
+void BuildingTest::flightsStandNextToEachOtherByTurns()
+{
+    const SimulatedBuilding building(3, 2);
+    // Over the tenth tread, which is 2 m high.
+    const auto heightBelow = [&](int floor, double x) {
+        const Scene scene = building.sceneAt(floor, {Eigen::Quaterniond::Identity(), {x, 1.5 + 9.5 * 0.28, 2.5}});
+        return 2.5 - rangeDown(scene);
+    };
+    QVERIFY(std::abs(heightBelow(0, 10.9) - 2.0) < 1e-9);
+    QVERIFY(std::abs(heightBelow(0, 9.9)) < 1e-9);
+    QVERIFY(std::abs(heightBelow(1, 9.9) - 2.0) < 1e-9);
+    QVERIFY(std::abs(heightBelow(1, 10.9) + 1.2) < 1e-9);
+    QVERIFY(std::abs(heightBelow(2, 9.9) + 1.2) < 1e-9);
+    QVERIFY(std::abs(heightBelow(2, 10.9)) < 1e-9);
+}
+
+void BuildingTest::theFirstStopOfAFloorLooksAtTheStairs()
+{
+    for (const BuildingStop& stop : SimulatedBuilding(3, 2).route(3)) {
+        // Half a metre about (10.4, 0), and 0.2 rad about +y, which is the scanner's own.
+        QVERIFY((stop.pose.translation - Eigen::Vector3d(10.4, 0.0, 1.1)).norm() < 0.5);
+        QVERIFY((stop.pose.rotation * Eigen::Vector3d::UnitY()).y() > std::cos(0.21));
+    }
 }
 
 void BuildingTest::theFloorIsAsFarBelowAsTheScannerIsHigh()
