@@ -156,6 +156,8 @@ void LikelihoodMethod::finish(const Parameters& parameters, StepRecorder& record
     splitContested(map_, inUse_, recorder);
     pass("split_parts");
     splitParts(map_, inUse_, recorder);
+    pass("settle_decisive");
+    settleDecisive(map_, inUse_, recorder);
     pass("drop_unfounded");
     dropUnfounded(map_, inUse_, recorder);
     pass("refine");

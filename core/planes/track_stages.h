@@ -63,6 +63,11 @@ double scatterOf(const PlaneTrack& plane);
 /// there do they tell that it is none.
 void splitParts(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 
+/// Gives segments of a slice that decide where their plane lies to a plane that they face and that foretells them
+/// better than the others of their own do: the line of a slice on the floor lies in the plane of a jamb that stands
+/// there as well, and would turn it by degrees.
+void settleDecisive(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
+
 /// Takes the worst segments out of small planes that explain theirs badly, until they explain the rest well.
 void thinTracks(TrackMap& map, const Parameters& parameters, StepRecorder& recorder);
 

@@ -302,12 +302,13 @@ QString phaseTitle(Phase phase, std::string_view pass)
     static constexpr std::array<const char*, kPhases> kTitles{"Extract segments", "Assign to planes", "Cluster",
                                                               "Fit planes",       "Split and merge",  "Fit remaining",
                                                               "Last pass"};
-    static constexpr std::array<std::pair<std::string_view, const char*>, 11> kPasses{
+    static constexpr std::array<std::pair<std::string_view, const char*>, 12> kPasses{
         {{"merge", "Merge"},
          {"split", "Split"},
          {"split_merge", "Split and merge"},
          {"split_contested", "Split what is contested"},
          {"split_parts", "Split parts that lie apart"},
+         {"settle_decisive", "Move what another plane foretells"},
          {"thin", "Take out worst segments"},
          {"fit", "Fit planes"},
          {"fit_pairs", "Fit pairs"},

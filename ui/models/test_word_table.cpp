@@ -144,6 +144,11 @@ std::span<const TestWords> allTestWords()
             "How far the plane of a part that lies apart is from the plane of the others, by their covariances: 3 "
             "degrees of freedom. The limit is lower where little is known of them, so that another plane may lie "
             "there by chance."},
+        TestWords{
+            "deviance", Any, "−2 ln p", Plain, Keys{},
+            "How badly the other plane foretells the segment: minus twice the logarithm of the probability density "
+            "of its place and slope, 9.2 less where that plane is on both sides of it. The limit is how badly the "
+            "others of its own plane do, less 2."},
         TestWords{"worse_together", Any, "E of both / E", Plain, Keys{},
                   "How much worse one plane explains the segments of both than each explains its own."},
         TestWords{"seed_chi2", Any, "χ²", ChiSquare, Keys{"likelihood.seed-gate", ""},
