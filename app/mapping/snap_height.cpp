@@ -244,7 +244,7 @@ std::optional<HeightSnap> snapHeight(std::span<const FacedPlane> floor, std::spa
         double sum = 0.0;
         double weights = 0.0;
         double squares = 0.0;
-        snap.surfaces = 0;
+        int surfaces = 0;
         for (const Votes& ofSurface : votes) {
             const LiftVote& vote = nearestVote(ofSurface, snap.lift);
             if (std::abs(vote.lift - snap.lift) > 2.0 * kAgreement)
@@ -253,10 +253,11 @@ std::optional<HeightSnap> snapHeight(std::span<const FacedPlane> floor, std::spa
             sum += weight * vote.lift;
             weights += weight;
             squares += square(vote.lift - snap.lift);
-            ++snap.surfaces;
+            ++surfaces;
         }
-        snap.lift = sum / weights;
-        snap.rms = std::sqrt(squares / snap.surfaces);
+        if (surfaces == 0)
+            break;
+        snap = {sum / weights, surfaces, std::sqrt(squares / surfaces)};
     }
     return snap;
 }
