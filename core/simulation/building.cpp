@@ -54,6 +54,7 @@ void addThickWall(SceneBuilder& floor, const std::string& name, const Stretch& w
     const Eigen::Vector2d back = kWall * way.outwards();
     floor.wall(name, {way.from, way.to, 0.0, kCeilingHeight}, passages);
     std::vector<Opening> mirrored;
+    mirrored.reserve(passages.size());
     for (const Opening& passage : passages)
         mirrored.push_back({way.length() - passage.to, way.length() - passage.from, passage.bottom, passage.top});
     floor.wall(name + " back", {way.to + back, way.from + back, 0.0, kCeilingHeight}, mirrored);
