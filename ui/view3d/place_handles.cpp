@@ -128,9 +128,14 @@ std::optional<PlaceHandle> PlaceHandles::at(const ViewCamera& camera, const Eige
 {
     if (!shape_)
         return std::nullopt;
+    const Eigen::Vector3d middle = projected(camera, placeOf(PlaceHandle::Shift, *shape_));
+    const double reach = tolerance;
     std::optional<PlaceHandle> nearest;
     for (const PlaceHandle handle : kPlaceHandles) {
         const Eigen::Vector3d seen = projected(camera, placeOf(handle, *shape_));
+        // From above the arrow stands over the middle and could not be moved.
+        if (handle == PlaceHandle::Height && (seen - middle).head<2>().norm() <= reach)
+            continue;
         const double away = (seen.head<2>() - place).norm();
         if (seen.z() > 0.0 && away <= tolerance) {
             tolerance = away;

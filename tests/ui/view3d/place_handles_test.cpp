@@ -17,6 +17,7 @@ class PlaceHandlesTest : public QObject {
 private slots:
     void init();
     void aHandleIsTakenWhereItIsSeen();
+    void fromAboveTheMiddleIsTakenAndNotTheArrowOverIt();
     void theMiddleShiftsInTheLevel();
     void theKnobTurnsAboutTheMiddle();
     void theArrowRaises();
@@ -61,6 +62,17 @@ void PlaceHandlesTest::aHandleIsTakenWhereItIsSeen()
     QVERIFY(!handles_.held());
     handles_.setShape(std::nullopt);
     QVERIFY(!take(PlaceHandle::Shift));
+}
+
+void PlaceHandlesTest::fromAboveTheMiddleIsTakenAndNotTheArrowOverIt()
+{
+    camera_.elevation = degrees(90.0);
+    const Eigen::Vector2d arrow = projected(camera_, placeOf(PlaceHandle::Height, shape_)).head<2>();
+    QVERIFY((arrow - projected(camera_, shape_.middle).head<2>()).norm() < 0.01);
+
+    QVERIFY(handles_.take(camera_, arrow, 0.01));
+
+    QCOMPARE(handles_.held().value(), PlaceHandle::Shift);
 }
 
 void PlaceHandlesTest::theMiddleShiftsInTheLevel()
