@@ -45,6 +45,8 @@ private slots:
 
 namespace {
 
+constexpr int kPatience = 60'000;  // under sanitizers on busy machines [ms]
+
 std::shared_ptr<ScanSource> room(const Clock& clock, double speed)
 {
     return std::make_shared<SimulatedRoom>(*makeScene("corridor", 3),
@@ -213,7 +215,7 @@ void ScanPipelineTest::finishingKeepsWhatWasTaken()
     auto source = std::make_shared<ScriptedSource>(emptySlices(20));
     source->endless = true;
     RunningPipeline run{source, std::make_unique<FakeRecorder>(scan), steadyClock()};
-    QTRY_COMPARE(run.pipeline.status().extracted, 20);
+    QTRY_COMPARE_WITH_TIMEOUT(run.pipeline.status().extracted, 20, kPatience);
 
     run.pipeline.finish();
     run.join();
@@ -279,8 +281,8 @@ void ScanPipelineTest::aSlowDiskLetsTheQueueGrowAndLosesNothing()
     scan->isSlow = true;
     RunningPipeline run{source, std::make_unique<FakeRecorder>(scan), steadyClock()};
 
-    QTRY_VERIFY(run.pipeline.status().queueDepth >= 64);
-    QTRY_COMPARE(run.pipeline.status().acquired, 200);
+    QTRY_VERIFY_WITH_TIMEOUT(run.pipeline.status().queueDepth >= 64, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(run.pipeline.status().acquired, 200, kPatience);
     scan->isSlow = false;
     run.join();
 
