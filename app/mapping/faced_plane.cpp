@@ -3,10 +3,7 @@
 
 #include "app/mapping/faced_plane.h"
 
-#include <cmath>
 #include <utility>
-
-#include "core/types/angle.h"
 
 namespace planewright {
 
@@ -23,11 +20,6 @@ FacedPlane moved(FacedPlane plane, const Pose& motion)
         }
     }
     return plane;
-}
-
-bool isUpright(const FacedPlane& plane)
-{
-    return std::abs(plane.normal.z()) < std::sin(degrees(10.0));
 }
 
 std::vector<FacedPlane> facedPlanes(const BuildingMap& map, const Pose& frame)

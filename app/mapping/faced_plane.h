@@ -21,9 +21,7 @@ struct FacedPlane {
 /// The planes of a floor's map, in the frame that `frame` leads into.
 std::vector<FacedPlane> facedPlanes(const BuildingMap& map, const Pose& frame);
 
+/// The plane, with its outline, after a motion in its frame.
 FacedPlane moved(FacedPlane plane, const Pose& motion);
-
-/// True within 10° of the vertical.
-bool isUpright(const FacedPlane& plane);
 
 }  // namespace planewright

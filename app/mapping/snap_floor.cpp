@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
 
+#include "app/mapping/wall_line.h"
 #include "core/types/angle.h"
 #include "core/types/square.h"
 
@@ -34,43 +34,12 @@ constexpr double kFineStep = 0.02;
 /// A direction in which walls tell less than this share of what they tell in the best one is not fixed by them.
 constexpr double kLeastShare = 1e-3;
 
-/// A wall from above.
-struct SnapWall {
-    Eigen::Vector2d normal;
-    double distance = 0.0;  ///< n·p [m]
-    Eigen::Vector2d from;
-    Eigen::Vector2d to;
-
-    Eigen::Vector2d along() const { return {-normal.y(), normal.x()}; }
-    Eigen::Vector2d middle() const { return 0.5 * (from + to); }
-    double length() const { return (to - from).norm(); }
-};
-
-std::vector<SnapWall> wallsOf(std::span<const FacedPlane> planes)
+std::vector<WallLine> wallsOf(std::span<const FacedPlane> planes)
 {
-    std::vector<SnapWall> walls;
+    std::vector<WallLine> walls;
     for (const FacedPlane& plane : planes) {
-        if (!isUpright(plane) || plane.parts.empty())
-            continue;
-        SnapWall wall;
-        const double level = plane.normal.head<2>().norm();
-        wall.normal = plane.normal.head<2>() / level;
-        const auto [lowest, highest] =
-            std::ranges::minmax(plane.parts.front().ring, {}, [](const Eigen::Vector3d& p) { return p.z(); });
-        wall.distance = (plane.distance - plane.normal.z() * 0.5 * (lowest.z() + highest.z())) / level;
-        double least = std::numeric_limits<double>::infinity();
-        double most = -least;
-        for (const Outline::Polygon& part : plane.parts) {
-            for (const Eigen::Vector3d& corner : part.ring) {
-                least = std::min(least, wall.along().dot(corner.head<2>()));
-                most = std::max(most, wall.along().dot(corner.head<2>()));
-            }
-        }
-        if (!(most - least >= kShortestWall))
-            continue;
-        wall.from = wall.distance * wall.normal + least * wall.along();
-        wall.to = wall.distance * wall.normal + most * wall.along();
-        walls.push_back(wall);
+        if (const auto wall = wallLine(plane); wall && wall->length() >= kShortestWall)
+            walls.push_back(*wall);
     }
     return walls;
 }
@@ -85,10 +54,10 @@ struct LevelMotion {
         shift = Eigen::Rotation2Dd(angle) * (shift - centre) + centre + more;
         turn += angle;
     }
-    SnapWall operator()(const SnapWall& wall) const
+    WallLine operator()(const WallLine& wall) const
     {
         const Eigen::Rotation2Dd rotation(turn);
-        SnapWall moved;
+        WallLine moved;
         moved.normal = rotation * wall.normal;
         moved.from = rotation * wall.from + shift;
         moved.to = rotation * wall.to + shift;
@@ -99,41 +68,31 @@ struct LevelMotion {
 
 /// The middle of walls, and how far their ends are from it on the whole [m]: what a turn acts on as much as a shift
 /// does.
-std::pair<Eigen::Vector2d, double> extentOf(const std::vector<SnapWall>& walls)
+std::pair<Eigen::Vector2d, double> extentOf(const std::vector<WallLine>& walls)
 {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    for (const SnapWall& wall : walls)
+    for (const WallLine& wall : walls)
         centre += wall.middle() / static_cast<double>(walls.size());
     double squares = 0.0;
-    for (const SnapWall& wall : walls)
+    for (const WallLine& wall : walls)
         squares += (wall.from - centre).squaredNorm() + (wall.to - centre).squaredNorm();
     return {centre, std::sqrt(squares / (2.0 * static_cast<double>(walls.size())))};
 }
 
-/// How far two walls are beside each other [m], as both are now; below nothing where they are not.
-double overlapOf(const SnapWall& wall, const SnapWall& other)
+bool isPartner(const WallLine& wall, const WallLine& other, double reach)
 {
-    const Eigen::Vector2d along = other.along();
-    const auto [from, to] = std::minmax({along.dot(wall.from), along.dot(wall.to)});
-    const auto [otherFrom, otherTo] = std::minmax({along.dot(other.from), along.dot(other.to)});
-    return std::min(to, otherTo) - std::max(from, otherFrom);
-}
-
-bool isPartner(const SnapWall& wall, const SnapWall& other, double reach)
-{
-    return wall.normal.dot(other.normal) > kFacingCosine &&
-           std::abs(other.normal.dot(wall.middle()) - other.distance) < reach &&
+    return wall.normal.dot(other.normal) > kFacingCosine && std::abs(other.offset(wall.middle())) < reach &&
            overlapOf(wall, other) >= kShortestWall;
 }
 
 /// The nearest wall that one may stand over.
-std::optional<SnapWall> partnerOf(const SnapWall& wall, const std::vector<SnapWall>& others, double reach)
+std::optional<WallLine> partnerOf(const WallLine& wall, const std::vector<WallLine>& others, double reach)
 {
-    std::optional<SnapWall> best;
-    for (const SnapWall& other : others) {
+    std::optional<WallLine> best;
+    for (const WallLine& other : others) {
         if (!isPartner(wall, other, reach))
             continue;
-        reach = std::abs(other.normal.dot(wall.middle()) - other.distance);
+        reach = std::abs(other.offset(wall.middle()));
         best = other;
     }
     return best;
@@ -141,11 +100,11 @@ std::optional<SnapWall> partnerOf(const SnapWall& wall, const std::vector<SnapWa
 
 /// The turn on which most pairs of walls agree, by length: walls of a building are parallel to few directions. Of
 /// several the least.
-double agreedTurn(const std::vector<SnapWall>& walls, const std::vector<SnapWall>& others)
+double agreedTurn(const std::vector<WallLine>& walls, const std::vector<WallLine>& others)
 {
     std::vector<std::pair<double, double>> turns;  // [rad], and weight [m]
-    for (const SnapWall& wall : walls) {
-        for (const SnapWall& other : others) {
+    for (const WallLine& wall : walls) {
+        for (const WallLine& other : others) {
             if (wall.normal.dot(other.normal) < kFirstFacingCosine)
                 continue;
             const double sine = wall.normal.x() * other.normal.y() - wall.normal.y() * other.normal.x();
@@ -179,15 +138,14 @@ struct ShiftVote {
 };
 
 /// Of each wall that has partners in reach.
-std::vector<std::vector<ShiftVote>> shiftVotes(const std::vector<SnapWall>& walls, const std::vector<SnapWall>& others)
+std::vector<std::vector<ShiftVote>> shiftVotes(const std::vector<WallLine>& walls, const std::vector<WallLine>& others)
 {
     std::vector<std::vector<ShiftVote>> votes;
-    for (const SnapWall& wall : walls) {
+    for (const WallLine& wall : walls) {
         std::vector<ShiftVote> ofWall;
-        for (const SnapWall& other : others) {
+        for (const WallLine& other : others) {
             if (isPartner(wall, other, kFirstReach))
-                ofWall.push_back(
-                    {other.normal, other.distance - other.normal.dot(wall.middle()), overlapOf(wall, other)});
+                ofWall.push_back({other.normal, -other.offset(wall.middle()), overlapOf(wall, other)});
         }
         if (!ofWall.empty())
             votes.push_back(std::move(ofWall));
@@ -234,12 +192,12 @@ Eigen::Vector2d bestShift(const Eigen::Vector2d& around, double reach, double st
 
 Result<FloorSnap> snapFloor(std::span<const FacedPlane> floor, std::span<const FacedPlane> onto)
 {
-    const std::vector<SnapWall> walls = wallsOf(floor);
-    const std::vector<SnapWall> others = wallsOf(onto);
+    const std::vector<WallLine> walls = wallsOf(floor);
+    const std::vector<WallLine> others = wallsOf(onto);
     const auto [middle, radius] = walls.empty() ? std::pair(Eigen::Vector2d(0.0, 0.0), 1.0) : extentOf(walls);
     LevelMotion motion;
     motion.add(agreedTurn(walls, others), Eigen::Vector2d::Zero(), middle);
-    std::vector<SnapWall> turned = walls;
+    std::vector<WallLine> turned = walls;
     std::ranges::transform(turned, turned.begin(), motion);
     // Floors differ in their rooms: the nearest wall is not always the one that goes on above.
     const auto votes = shiftVotes(turned, others);
@@ -254,18 +212,18 @@ Result<FloorSnap> snapFloor(std::span<const FacedPlane> floor, std::span<const F
         const Eigen::Vector2d centre = Eigen::Rotation2Dd(motion.turn) * middle + motion.shift;
         snap.walls = 0;
         double squares = 0.0;
-        for (const SnapWall& wall : walls) {
-            const SnapWall moved = motion(wall);
+        for (const WallLine& wall : walls) {
+            const WallLine moved = motion(wall);
             const auto partner = partnerOf(moved, others, reach);
             if (!partner)
                 continue;
             ++snap.walls;
-            squares += square(partner->normal.dot(moved.middle()) - partner->distance);
+            squares += square(partner->offset(moved.middle()));
             for (const Eigen::Vector2d& end : {moved.from, moved.to}) {
                 const Eigen::Vector2d arm = (end - centre) / radius;
                 const Eigen::Vector3d row(partner->normal.dot(Eigen::Vector2d(-arm.y(), arm.x())), partner->normal.x(),
                                           partner->normal.y());
-                const double off = partner->normal.dot(end) - partner->distance;
+                const double off = partner->offset(end);
                 information += moved.length() * row * row.transpose();
                 gradient += moved.length() * off * row;
             }

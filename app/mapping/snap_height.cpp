@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "app/mapping/wall_line.h"
 #include "core/geometry/polygon_union.h"
 #include "core/types/angle.h"
 #include "core/types/square.h"
@@ -19,7 +20,7 @@ namespace planewright {
 
 namespace {
 
-const double kLevelCosine = std::cos(degrees(10.0));
+const double kAlikeCosine = std::cos(degrees(10.0));
 constexpr double kReach = 1.5;            // [m]
 constexpr double kLowestStorey = 1.0;     // [m]
 constexpr double kLowestRiser = 0.05;     // as it is seen; from below a tread hides its foot [m]
@@ -50,10 +51,8 @@ struct LevelSurface {
 
 /// The front of a step.
 struct Riser {
-    Eigen::Vector2d normal;
-    Eigen::Vector2d from;
-    Eigen::Vector2d to;
-    double top = 0.0;
+    WallLine line;
+    double top = 0.0;  ///< [m]
 };
 
 PlanarRing fromAbove(const std::vector<Eigen::Vector3d>& ring)
@@ -68,7 +67,7 @@ std::vector<LevelSurface> levelSurfaces(std::span<const FacedPlane> planes)
 {
     std::vector<LevelSurface> surfaces;
     for (const FacedPlane& plane : planes) {
-        if (plane.normal.z() > -kLevelCosine)
+        if (plane.normal.z() > -kAlikeCosine)
             continue;
         const Outline outline = outlineOf(plane.parts, plane.normal, plane.distance);
         if (outline.area < kSmallestLevel)
@@ -90,29 +89,17 @@ std::vector<Riser> risers(std::span<const FacedPlane> planes)
 {
     std::vector<Riser> found;
     for (const FacedPlane& plane : planes) {
-        if (!isUpright(plane))
+        const std::optional<WallLine> line = wallLine(plane);
+        if (!line || line->length() < kNarrowestRiser)
             continue;
-        Eigen::AlignedBox2d box;  // along the wall, and height
-        Riser riser;
-        riser.normal = plane.normal.head<2>().normalized();
-        const Eigen::Vector2d along(-riser.normal.y(), riser.normal.x());
-        Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-        double corners = 0.0;
+        Eigen::AlignedBox1d heights;
         for (const Outline::Polygon& part : plane.parts) {
-            for (const Eigen::Vector3d& corner : part.ring) {
-                box.extend(Eigen::Vector2d(along.dot(corner.head<2>()), corner.z()));
-                middle += corner.head<2>();
-                ++corners;
-            }
+            for (const Eigen::Vector3d& corner : part.ring)
+                heights.extend(corner.tail<1>());
         }
-        if (box.isEmpty() || box.sizes().x() < kNarrowestRiser || box.sizes().y() < kLowestRiser ||
-            box.sizes().y() > kHighestRiser)
-            continue;
-        const Eigen::Vector2d foot = riser.normal.dot(middle / corners) * riser.normal;
-        riser.from = foot + box.min().x() * along;
-        riser.to = foot + box.max().x() * along;
-        riser.top = box.max().y();
-        found.push_back(riser);
+        const double seen = heights.sizes().x();
+        if (seen >= kLowestRiser && seen <= kHighestRiser)
+            found.push_back({*line, heights.max().x()});
     }
     return found;
 }
@@ -144,14 +131,11 @@ std::optional<LiftVote> voteOf(const LevelSurface& surface, const LevelSurface& 
 
 std::optional<LiftVote> voteOf(const Riser& riser, const Riser& other)
 {
-    const Eigen::Vector2d along(-other.normal.y(), other.normal.x());
-    const auto [from, to] = std::minmax({along.dot(riser.from), along.dot(riser.to)});
-    const auto [otherFrom, otherTo] = std::minmax({along.dot(other.from), along.dot(other.to)});
-    const double shared = std::min(to, otherTo) - std::max(from, otherFrom);
-    const double beside = other.normal.dot(0.5 * (riser.from + riser.to) - other.from);
     const double lift = other.top - riser.top;
-    if (riser.normal.dot(other.normal) < kLevelCosine || std::abs(beside) > kBesideRiser ||
-        shared < kLeastOverlap * std::min(to - from, otherTo - otherFrom) || std::abs(lift) > kReach)
+    if (riser.line.normal.dot(other.line.normal) < kAlikeCosine ||
+        std::abs(other.line.offset(riser.line.middle())) > kBesideRiser ||
+        overlapOf(riser.line, other.line) < kLeastOverlap * std::min(riser.line.length(), other.line.length()) ||
+        std::abs(lift) > kReach)
         return std::nullopt;
     return LiftVote{lift, kRiserDeviation};
 }
@@ -203,6 +187,34 @@ std::optional<double> agreedLift(const std::vector<Votes>& votes, double least, 
     return best;
 }
 
+/// The mean of the votes around a lift, those that agree better and are known better counting for more.
+HeightSnap refined(double lift, const std::vector<Votes>& votes)
+{
+    HeightSnap snap;
+    snap.lift = lift;
+    constexpr int kRounds = 5;
+    for (int round = 0; round < kRounds; ++round) {
+        double sum = 0.0;
+        double weights = 0.0;
+        double squares = 0.0;
+        int surfaces = 0;
+        for (const Votes& ofSurface : votes) {
+            const LiftVote& vote = nearestVote(ofSurface, snap.lift);
+            if (std::abs(vote.lift - snap.lift) > 2.0 * kAgreement)
+                continue;
+            const double weight = agreement(vote, snap.lift) / square(vote.deviation);
+            sum += weight * vote.lift;
+            weights += weight;
+            squares += square(vote.lift - snap.lift);
+            ++surfaces;
+        }
+        if (surfaces == 0)
+            break;
+        snap = {sum / weights, surfaces, std::sqrt(squares / surfaces)};
+    }
+    return snap;
+}
+
 }  // namespace
 
 std::optional<HeightSnap> snapHeight(std::span<const FacedPlane> floor, std::span<const FacedPlane> onto)
@@ -227,7 +239,8 @@ std::optional<HeightSnap> snapHeight(std::span<const FacedPlane> floor, std::spa
     };
     std::erase_if(isUpper ? levels : otherLevels,
                   [&](const LevelSurface& surface) { return isAbove(surface.height(), surface.middle); });
-    std::erase_if(isUpper ? fronts : otherFronts, [&](const Riser& riser) { return isAbove(riser.top, riser.from); });
+    std::erase_if(isUpper ? fronts : otherFronts,
+                  [&](const Riser& riser) { return isAbove(riser.top, riser.line.from); });
     std::vector<Votes> votes;
     collectVotes(levels, otherLevels, votes);
     collectVotes(fronts, otherFronts, votes);
@@ -235,31 +248,7 @@ std::optional<HeightSnap> snapHeight(std::span<const FacedPlane> floor, std::spa
     const double least = isUpper ? kLowestStorey - apart : -kReach;
     const double most = isUpper ? kReach : -kLowestStorey - apart;
     const auto agreed = agreedLift(votes, least, most);
-    if (!agreed)
-        return std::nullopt;
-    HeightSnap snap;
-    snap.lift = *agreed;
-    constexpr int kRounds = 5;
-    for (int round = 0; round < kRounds; ++round) {
-        double sum = 0.0;
-        double weights = 0.0;
-        double squares = 0.0;
-        int surfaces = 0;
-        for (const Votes& ofSurface : votes) {
-            const LiftVote& vote = nearestVote(ofSurface, snap.lift);
-            if (std::abs(vote.lift - snap.lift) > 2.0 * kAgreement)
-                continue;
-            const double weight = agreement(vote, snap.lift) / square(vote.deviation);
-            sum += weight * vote.lift;
-            weights += weight;
-            squares += square(vote.lift - snap.lift);
-            ++surfaces;
-        }
-        if (surfaces == 0)
-            break;
-        snap = {sum / weights, surfaces, std::sqrt(squares / surfaces)};
-    }
-    return snap;
+    return agreed ? std::optional(refined(*agreed, votes)) : std::nullopt;
 }
 
 }  // namespace planewright

@@ -27,12 +27,17 @@ bool hasOdometry(const MapStop& stop)
     return stop.stop && stop.stop->odometry;
 }
 
+std::string otherPlaces(const MapStop& stop)
+{
+    const std::size_t places = stop.alternatives.size();
+    return std::to_string(places) + (places == 1 ? " other place" : " other places");
+}
+
 std::string whyUnplaced(const MapStop& stop)
 {
     const std::size_t places = stop.alternatives.size();
-    const std::string others = std::to_string(places) + (places == 1 ? " other place" : " other places");
     if (places > 0 && hasOdometry(stop))
-        return "its planes fit " + others + " in the map better than that of odometry, but not clearly so";
+        return "its planes fit " + otherPlaces(stop) + " in the map better than that of odometry, but not clearly so";
     if (places > 1)
         return "its planes fit " + std::to_string(places) + " places in the map and nothing tells which";
     return places == 1 ? "its planes fit a place in the map but do not fix it there"
@@ -62,7 +67,6 @@ std::string trustText(StopTrust trust)
 
 std::string warningOf(const MapStop& stop)
 {
-    const std::string others = std::to_string(stop.alternatives.size());
     switch (stop.trust) {
         case StopTrust::First:
             return {};
@@ -73,9 +77,7 @@ std::string warningOf(const MapStop& stop)
         case StopTrust::OdometryAlone:
             return "too few of its planes are in the map; it is where odometry says, unchecked. Scan once more between";
         case StopTrust::OdometryDecides:
-            return "its planes would fit " + others +
-                   (stop.alternatives.size() == 1 ? " other place" : " other places") +
-                   " as well; odometry alone tells which";
+            return "its planes would fit " + otherPlaces(stop) + " as well; odometry alone tells which";
         case StopTrust::AgainstOdometry:
             return "its planes tell of another place than odometry, which is left out";
         case StopTrust::Planes:

@@ -25,10 +25,12 @@ namespace {
 struct Group {
     std::span<const SegmentNumber> segments;
     SegmentNumber largest = 0;  ///< by its points
-    double share = 0.0;         ///< of what is known of the plane there, by the largest one
+    double share = 0.0;         ///< of what is known of the plane there, by the largest one: at most so much
 };
 
-/// A group of segments decides where its plane lies if it tells more of it there than all others together.
+/// A group of segments may decide where its plane lies if it tells more of it there than all others together. Pitch and
+/// what a segment is off as a whole are left out, so that no group that does is missed; how well the others foretell it
+/// settles the rest.
 constexpr double kDecisiveShare = 0.5;
 /// The others of a plane are so many at least of it: a half can as well be the one that is right.
 constexpr std::size_t kLeastOthers = 4;
@@ -53,7 +55,7 @@ struct Foretold {
         all.diagonal() += segment + floor;
         return chi + std::log(square(2.0 * std::numbers::pi) * all.determinant());
     }
-    /// The share of what the plane knows here that the segment tells, of distance or slope, if it is of the plane.
+    /// The largest share of what the plane knows here, distance or slope, that the segment may have told.
     double shareOfSegment() const { return (own.diagonal().array() / segment.array()).maxCoeff(); }
 };
 

@@ -108,7 +108,7 @@ class SettleDecisiveTest : public QObject {
 private slots:
     void aLineOfTheGroundInAJambsPlaneIsTheGrounds();
     void whatItTurnedTurnsBack();
-    void aPlaneThatHangsOnNoSegmentKeepsAll();
+    void whatItsOwnPlaneForetellsAsWellStays();
     void whatNoOtherPlaneForetellsStays();
     void twoSlicesThatDecideTogetherLeaveTogether();
     void aHalfOfAPlaneIsNotAskedByTheOtherHalf();
@@ -143,9 +143,9 @@ void SettleDecisiveTest::whatItTurnedTurnsBack()
     QVERIFY(apart(scene.plane(1).estimate, jambBehind(0.01)) < 1e-3);
 }
 
-void SettleDecisiveTest::aPlaneThatHangsOnNoSegmentKeepsAll()
+void SettleDecisiveTest::whatItsOwnPlaneForetellsAsWellStays()
 {
-    // A wall as wide as the ground; the line is one of 21 like it.
+    // A wall as wide as the ground; the line is one of its eleven.
     NoddingScan scan;
     const Surface wall{Eigen::Vector3d::UnitY(), meetingPlace(), 250, 480};
     Numbers ground;
@@ -183,21 +183,26 @@ void SettleDecisiveTest::whatNoOtherPlaneForetellsStays()
     QCOMPARE(scene.ownerOfLine(), PlaneId{1});
 }
 
+/// Of two pieces of a wall in a jamb's plane each foretells the other.
 void SettleDecisiveTest::twoSlicesThatDecideTogetherLeaveTogether()
 {
-    JambOnGround scene(0.0);
-    // The next line of the ground as well: where it lies is no matter to who is asked, but that it is the plane's.
-    const SegmentNumber next = scene.scan.map.slice(kLowest - 1).first;
-    TrackedSegment& s = scene.scan.map.segment(next);
-    s.owner = 1;
-    for (PlaneTrack* plane : scene.scan.map.collectMembers(std::vector<PlaneId>{0, 1}, 0))
-        scene.scan.map.rebuild(*plane, scene.scan.parameters);
+    NoddingScan scan;
+    const Surface jamb{kWall.normal, kWall.distance, 430, 436};
+    scan.nod(21, {kWall, jamb});
+    Numbers wall = scan.column(0, 0, 20);
+    Numbers narrow = scan.column(1, 0, 20);
+    const Numbers taken{wall[10], wall[11]};
+    wall.erase(wall.begin() + 10, wall.begin() + 12);
+    narrow.insert(narrow.end(), taken.begin(), taken.end());
+    std::ranges::sort(narrow);
+    scan.makePlane(wall, kWall);
+    scan.makePlane(narrow, jamb);
 
-    scene.settle();
+    settleDecisive(scan.map, scan.parameters, scan.recorded.recorder);
 
-    QCOMPARE(scene.ownerOfLine(), PlaneId{0});
-    QCOMPARE(s.owner, PlaneId{0});
-    QVERIFY(scene.plane(1).members == scene.jamb);
+    for (const SegmentNumber number : taken)
+        QCOMPARE(scan.map.segment(number).owner, PlaneId{0});
+    QCOMPARE(disagreement(scan.map), std::string{});
 }
 
 void SettleDecisiveTest::aHalfOfAPlaneIsNotAskedByTheOtherHalf()
